@@ -1,15 +1,13 @@
 #include "core/pass/pass_list.h"
 
 #include <chrono>
-#include <ctime>
+
+#include "core/base/cpu_seconds.h"
 
 namespace lentray::core {
 namespace {
 
 using Clock = std::chrono::steady_clock;
-
-/// Of the process.
-double cpu_seconds() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
 
 }  // namespace
 

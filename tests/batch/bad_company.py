@@ -4,12 +4,10 @@
 
 As root also: a folder that another user cannot write, and a disk that fills up (a tmpfs).
 """
-import argparse
 import os
 import pathlib
 import shutil
 import subprocess
-import tempfile
 
 import batch_tools as tools
 
@@ -87,10 +85,12 @@ def folder_of_another(check, folder, binaries):
         return
     out = folder / "closed"
     out.mkdir(mode=0o755)
-    folder.chmod(0o755)
+    folder.parent.chmod(0o755)
+    scenes = folder / "scenes"
+    tools.write_scenes(scenes, 1)
     programs = folder / "bin"
     shutil.copytree(binaries, programs, ignore=lambda _, names: [n for n in names if n.startswith("test_")])
-    done = subprocess.run(["setpriv", "--reuid=65534", "--clear-groups", programs / "lentray-batch", folder / "two/a", "--out", out],
+    done = subprocess.run(["setpriv", "--reuid=65534", "--clear-groups", programs / "lentray-batch", scenes, "--out", out],
                           capture_output=True, text=True, check=False)
     check(done.returncode == 2 and "cannot write into the folder" in done.stderr, f"a closed folder: {done.returncode} {done.stderr}")
 
@@ -122,20 +122,5 @@ def disk_that_fills(check, folder, binaries):
         subprocess.run(["umount", disk], check=False)
 
 
-def main():
-    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
-    parser.add_argument("--bin", type=pathlib.Path, default=tools.BIN)
-    binaries = parser.parse_args().bin.resolve()
-    check = tools.Checks()
-    with tempfile.TemporaryDirectory() as temporary:
-        folder = pathlib.Path(temporary)
-        bad_scenes(check, folder, binaries)
-        memory_that_grows(check, folder, binaries)
-        scenes_given_one_by_one(check, folder, binaries)
-        folder_of_another(check, folder, binaries)
-        disk_that_fills(check, folder, binaries)
-    check.end()
-
-
 if __name__ == "__main__":
-    main()
+    tools.run_parts(__doc__, (bad_scenes, memory_that_grows, scenes_given_one_by_one, folder_of_another, disk_that_fills))

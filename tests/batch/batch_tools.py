@@ -1,4 +1,5 @@
 """What the tests of lentray-batch share: scenes, a lentray that writes down its calls, runs, pictures, rows."""
+import argparse
 import hashlib
 import json
 import os
@@ -6,6 +7,7 @@ import pathlib
 import shutil
 import subprocess
 import sys
+import tempfile
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 BIN = ROOT / "build/release/bin"
@@ -85,6 +87,20 @@ class Checks:
     def end(self):
         print(f"{self.passed} passed, {self.failed} failed")
         sys.exit(1 if self.failed else 0)
+
+
+def run_parts(about, parts):
+    """The program of a suite: each part is called with the checks, a folder of its own and that of the programs."""
+    parser = argparse.ArgumentParser(description=about.splitlines()[0])
+    parser.add_argument("--bin", type=pathlib.Path, default=BIN)
+    binaries = parser.parse_args().bin.resolve()
+    check = Checks()
+    with tempfile.TemporaryDirectory() as temporary:
+        for part in parts:
+            folder = pathlib.Path(temporary) / part.__name__
+            folder.mkdir()
+            part(check, folder, binaries)
+    check.end()
 
 
 def needs(*programs):

@@ -2,12 +2,10 @@
 
   tests/batch/features.py [--bin build/release/bin]
 """
-import argparse
 import os
 import pathlib
 import signal
 import subprocess
-import tempfile
 import time
 
 import batch_tools as tools
@@ -124,11 +122,14 @@ def stops(check, folder, binaries):
     scenes, out = folder / "stops", folder / "stops-out"
     scenes.mkdir()
     (scenes / "slow.pov").write_text(SLOW)
+    journal = out / "slow.png.lentray-state"
     options = ["+W640", "+H480", "+A0.1", "-J"]
     command = [binaries / "lentray-batch", str(scenes), "--out", str(out), *options]
     for number, then in ((signal.SIGINT, []), (signal.SIGTERM, [signal.SIGTERM])):
+        kept = journal.stat().st_size if journal.exists() else 0
         batch = subprocess.Popen(command, stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True)
-        time.sleep(4)
+        while batch.poll() is None and (not journal.exists() or journal.stat().st_size == kept):
+            time.sleep(0.1)
         start = time.monotonic()
         batch.send_signal(number)
         for second in then:
@@ -137,22 +138,10 @@ def stops(check, folder, binaries):
         check(batch.returncode == 3, f"status {batch.returncode} after a signal: {said}")
         check(time.monotonic() - start < 2.0, f"{time.monotonic() - start:.1f} s to stop")
         check("goes on from here" in said, said)
-        check((out / "slow.png.lentray-state").exists(), "the picture's journal is gone")
+        check(journal.exists(), "the picture's journal is gone")
     left = subprocess.run(["pgrep", "-f", str(scenes)], capture_output=True, text=True, check=False).stdout
     check(left == "", f"still running: {left}")
 
 
-def main():
-    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
-    parser.add_argument("--bin", type=pathlib.Path, default=tools.BIN)
-    binaries = parser.parse_args().bin.resolve()
-    check = tools.Checks()
-    with tempfile.TemporaryDirectory() as temporary:
-        folder = pathlib.Path(temporary)
-        for part in (frames, sheets, views, out_of_date, stops):
-            part(check, folder, binaries)
-    check.end()
-
-
 if __name__ == "__main__":
-    main()
+    tools.run_parts(__doc__, (frames, sheets, views, out_of_date, stops))

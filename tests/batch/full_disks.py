@@ -70,11 +70,18 @@ class Run:
         self.given_up = 0
 
     def __call__(self, scene_file, picture, *more, **options):
-        done = subprocess.run([self.binaries / "lentray", f"+I{scene_file}", f"+O{picture}", "-V", *SIZE, *map(str, more)],
+        done = subprocess.run([self.binaries / "lentray", f"+I{scene_file}", f"+O{picture}", "-V", "+WT1", *SIZE, *map(str, more)],
                               cwd=self.folder, stdin=subprocess.DEVNULL, capture_output=True, text=True, errors="replace",
                               check=False, **options)
         self.given_up += "was given up" in done.stderr
         return done
+
+    def plain(self, check):
+        """The picture with room for all."""
+        picture = self.folder / "plain.png"
+        if not picture.exists():
+            check(self("slow.pov", picture, "+FN16").returncode == 0, "plain")
+        return picture
 
 
 def blocks(path):
@@ -83,26 +90,24 @@ def blocks(path):
 
 def kinds_of_files(check, run):
     """With room for the picture and a little more."""
-    for kind, options in TYPES.items():
-        plain = run.folder / f"plain.{kind}"
-        done = run("slow.pov", plain, *options)
-        check(done.returncode == 0, f"{kind}: {done.stderr}")
-        for more in ([], ["+A0.1", "+AM2", "+R2"]) if kind == "png" else ([],):
-            if more:
-                check(run("slow.pov", plain, *options, *more).returncode == 0, f"{kind} {more}")
-            with Disk(run.folder / "disk", blocks(plain) + 4 * BLOCK):
-                tight = run.folder / "disk" / f"a.{kind}"
-                done = run("slow.pov", tight, *options, *more)
-                check(done.returncode == 0, f"{kind} {more} on a tight disk: {done.stderr}")
-                check(done.returncode != 0 or same_file(tight, plain), f"{kind} {more}: another file")
-                left = [p.name for p in tight.parent.iterdir() if p != tight]
-                check(not left, f"{kind} {more}: left behind: {left}")
+    (run.folder / "fewer.pov").write_text(scene(12))  # each pixel has many samples
+    cases = [("slow.pov", kind, options) for kind, options in TYPES.items()]
+    for file, kind, options in [*cases, ("fewer.pov", "png", ["+FN16", "+A0.1", "+AM2", "+R2"])]:
+        plain = run.folder / f"{file}.{kind}"
+        done = run(file, plain, *options)
+        check(done.returncode == 0, f"{kind} {options}: {done.stderr}")
+        with Disk(run.folder / "disk", blocks(plain) + 4 * BLOCK):
+            tight = run.folder / "disk" / f"a.{kind}"
+            done = run(file, tight, *options)
+            check(done.returncode == 0, f"{kind} {options} on a tight disk: {done.stderr}")
+            check(done.returncode != 0 or same_file(tight, plain), f"{kind} {options}: another file")
+            left = [p.name for p in tight.parent.iterdir() if p != tight]
+            check(not left, f"{kind} {options}: left behind: {left}")
 
 
 def too_small(check, run):
     """The picture does not fit: a reason, no picture, and with room +C goes on with what was kept."""
-    plain = run.folder / "plain.png"
-    check(run("slow.pov", plain, "+FN16").returncode == 0, "plain")
+    plain = run.plain(check)
     with Disk(run.folder / "disk", blocks(plain) - 4 * BLOCK) as disk:
         tight = disk.place / "a.png"
         for more in ([], ["+C"]):
@@ -117,11 +122,10 @@ def too_small(check, run):
 
 def full_journal(check, run):
     """A run that was stopped has filled the disk with its journal; what goes on with it has the picture."""
-    plain = run.folder / "plain.png"
-    check(run("slow.pov", plain, "+FN16").returncode == 0, "plain")
+    plain = run.plain(check)
     with Disk(run.folder / "disk", blocks(plain) + 4 * BLOCK) as disk:
         tight = disk.place / "a.png"
-        run("slow.pov", tight, "+FN16", "Max_Time=2")
+        run("slow.pov", tight, "+FN16", "Max_Time=1.25")
         for more in (["+C"], []):
             tight.unlink(missing_ok=True)
             done = run("slow.pov", tight, "+FN16", *more)
@@ -132,8 +136,7 @@ def full_journal(check, run):
 
 def limited_files(check, run):
     """A limit of a file's size that the journal meets and the picture does not."""
-    plain = run.folder / "plain.png"
-    check(run("slow.pov", plain, "+FN16").returncode == 0, "plain")
+    plain = run.plain(check)
     most = blocks(plain)
     place = run.folder / "limited.png"
     done = run("slow.pov", place, "+FN16", preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_FSIZE, (most, most)))
@@ -145,8 +148,7 @@ def limited_files(check, run):
 
 
 def journals_that_cannot_be(check, run):
-    plain = run.folder / "plain.png"
-    check(run("slow.pov", plain, "+FN16").returncode == 0, "plain")
+    plain = run.plain(check)
     place = run.folder / "own.png"
     (run.folder / "own.png.lentray-state").mkdir()
     done = run("slow.pov", place, "+FN16")
@@ -226,7 +228,7 @@ def main():
     check = tools.Checks()
     with tempfile.TemporaryDirectory() as temporary:
         folder = pathlib.Path(temporary)
-        (folder / "slow.pov").write_text(scene(33))
+        (folder / "slow.pov").write_text(scene(24))
         run = Run(folder, binaries)
         limited_files(check, run)
         journals_that_cannot_be(check, run)

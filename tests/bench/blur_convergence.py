@@ -17,6 +17,9 @@ import sys
 import tempfile
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
+sys.path.insert(0, str(ROOT / "tests"))
+from support.charts import gnuplot  # noqa: E402
+
 RAYS, REFERENCE = (10, 20, 40, 80, 160, 320), 1000
 FLATTEST = -0.45
 STAGE = """#version 3.7; global_settings { assumed_gamma 1 }
@@ -82,15 +85,8 @@ def chart(results, path):
         start = results[title, "lentray", "lentray"][0] * math.sqrt(RAYS[0])
         commands.append(f"{start}/sqrt(x) with lines dashtype 2 linecolor 'black' title '1/sqrt(n)'")
         plots.append(f"set title '{title}'\nplot [8:400] " + ", \\\n  ".join(commands))
-    with tempfile.TemporaryDirectory() as folder:
-        where = pathlib.Path(folder)
-        (where / "data").write_text("\n\n\n".join(blocks) + "\n")
-        (where / "script").write_text(
-            "set terminal pngcairo size 1100,480 font 'sans,11'\nset output 'chart'\n"
-            "set logscale xy\nset grid\nset xlabel 'rays a sample'\n"
-            "set ylabel 'error, rms, share of the range'\nset multiplot layout 1,2\n" + "\n".join(plots) + "\n")
-        subprocess.run(["gnuplot", "script"], cwd=where, check=True)
-        path.write_bytes((where / "chart").read_bytes())
+    gnuplot("1100,480", "set logscale xy\nset xlabel 'rays a sample'\n"
+            "set ylabel 'error, rms, share of the range'\nset multiplot layout 1,2\n" + "\n".join(plots), blocks, path)
 
 
 def main():

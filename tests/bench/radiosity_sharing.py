@@ -16,6 +16,9 @@ import sys
 import tempfile
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
+sys.path.insert(0, str(ROOT / "tests"))
+from support.charts import gnuplot  # noqa: E402
+
 EXAMPLES = pathlib.Path("/usr/share/doc/povray/examples")
 SCENES = ("radiosity/radiosity_37.pov",)
 WIDTH, HEIGHT, COUNTS, MOST = 1200, 900, (1, 3, 7, 15), 1.3
@@ -62,16 +65,10 @@ def chart(results, path):
             lines.append(f"'data' index {len(blocks)} with linespoints lc {len(blocks) // 2 + 1} {style} "
                          f"title '{name}, {way}' noenhanced")
             blocks.append("\n".join(f"{n} {ratios[way, n]}" for n in COUNTS))
-    with tempfile.TemporaryDirectory() as folder:
-        where = pathlib.Path(folder)
-        (where / "data").write_text("\n\n\n".join(blocks) + "\n")
-        (where / "script").write_text(
-            "set terminal pngcairo size 800,440 font 'sans,11'\nset output 'chart'\nset grid\nset key outside\n"
+    gnuplot("800,440", "set key outside\n"
             f"set xtics ({', '.join(map(str, COUNTS))})\nset xlabel 'views'\nset yrange [0:*]\n"
             "set ylabel 'processor time, by that of one picture'\n"
-            f"plot [0:16] {MOST} with lines lc 'black' dashtype 3 title '{MOST}', " + ", ".join(lines) + "\n")
-        subprocess.run(["gnuplot", "script"], cwd=where, check=True)
-        path.write_bytes((where / "chart").read_bytes())
+            f"plot [0:16] {MOST} with lines lc 'black' dashtype 3 title '{MOST}', " + ", ".join(lines), blocks, path)
 
 
 def main():

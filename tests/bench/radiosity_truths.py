@@ -20,6 +20,7 @@ import tempfile
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(ROOT / "tests"))
+from support.charts import gnuplot  # noqa: E402
 from support.pictures import read_png  # noqa: E402
 
 COUNTS = (35, 50, 100, 200, 400, 800, 1600)
@@ -139,15 +140,8 @@ def chart(results, path):
                          "linecolor 'black' title '1/sqrt(n)'")
         reach = "[1e-7:1e-3]" if name.startswith("furnace") else "[1e-4:0.3]"
         plots.append(f"set title '{title}'\nplot [25:2200] {reach} " + ", ".join(lines))
-    with tempfile.TemporaryDirectory() as folder:
-        where = pathlib.Path(folder)
-        (where / "data").write_text("\n\n\n".join(blocks) + "\n")
-        (where / "script").write_text(
-            "set terminal pngcairo size 1200,420 font 'sans,11'\nset output 'chart'\nset logscale xy\n"
-            "set format y '%.0e'\nset grid\nset xlabel 'rays a sample'\nset ylabel 'error'\nset multiplot layout 1,3\n"
-            + "\n".join(plots) + "\n")
-        subprocess.run(["gnuplot", "script"], cwd=where, check=True)
-        path.write_bytes((where / "chart").read_bytes())
+    gnuplot("1200,420", "set logscale xy\nset format y '%.0e'\nset xlabel 'rays a sample'\n"
+            "set ylabel 'error'\nset multiplot layout 1,3\n" + "\n".join(plots), blocks, path)
 
 
 def main():

@@ -2,6 +2,8 @@
 
   tests/compat/continuing.py [--bin FOLDER] [--still 50] [--animation 20]
 
+A scene has as many lamps as make its undisturbed render last LONG: less than a second is never kept. Each
+kill of a picture comes later than the one before may have come, so that it is done in the end.
 The kills of the still go round: no antialiasing, methods 1 and 2, a lens sheet. Besides, what is done must
 count: a picture that was killed is finished in fewer rays than a whole one takes. The exit status is 1 if
 a picture differs.
@@ -24,6 +26,7 @@ sphere { <2*clock - 1, 0, 0>, 1 pigment { rgb 1 } finish { reflection 0.3 } }
 plane { y, -1 pigment { checker rgb 1, rgb 0.3 } }
 box { <1, -1, 1>, <2, 1, 2> pigment { granite } }
 """
+LONG = 4.0  # seconds
 WAYS = ([], ["+A0.1", "+AM1", "+R2"], ["+A0.1", "+AM2", "+R2"], ["Lenticular=On", "+A0.2", "+AM1", "+R2"])
 
 
@@ -39,13 +42,25 @@ def run(command, where):
     return time.monotonic() - start
 
 
+def undisturbed(command, where):
+    """The lamps of a scene that takes long enough, which is written there and rendered; and how long it took."""
+    lamps = 5
+    while True:
+        (where / "scene.pov").write_text(SCENE.replace("LAMPS", str(lamps)))
+        seconds = run(command, where)
+        if seconds >= LONG:
+            return lamps, seconds
+        lamps = int(lamps * min(max(1.1, (1.2 * LONG / seconds) ** 0.5), 4)) + 1
+
+
 def kill_and_go_on(command, where, seconds, chance):
     """How often it was killed before it was done."""
     kills = 0
     while True:
+        patience = seconds * 1.1 ** kills
         process = subprocess.Popen([*command, "+C"], cwd=where, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE)
         try:
-            _, text = process.communicate(timeout=chance.uniform(0.05, 0.75) * seconds)
+            _, text = process.communicate(timeout=chance.uniform(0.05, 0.75) * patience)
         except subprocess.TimeoutExpired:
             process.kill()
             process.communicate()
@@ -60,14 +75,13 @@ def check(title, command, wanted, chance, folder):
     """Kills until there are as many as wanted; False if a picture differs."""
     whole = folder / "whole"
     whole.mkdir()
-    (whole / "scene.pov").write_text(SCENE.replace("LAMPS", "40"))
-    seconds = run(command, whole)
+    lamps, seconds = undisturbed(command, whole)
     kills = runs = 0
     good = True
     while kills < wanted:
         where = folder / f"killed{runs}"
         where.mkdir()
-        (where / "scene.pov").write_text(SCENE.replace("LAMPS", "40"))
+        (where / "scene.pov").write_text(SCENE.replace("LAMPS", str(lamps)))
         kills += kill_and_go_on(command, where, seconds, chance)
         runs += 1
         good = good and pictures(where) == pictures(whole)
@@ -83,9 +97,8 @@ def check(title, command, wanted, chance, folder):
 def saves_work(program, folder):
     """The rays of a picture that was killed at two thirds and gone on with, and of a whole one."""
     folder.mkdir()
-    (folder / "scene.pov").write_text(SCENE.replace("LAMPS", "40"))
     command = [program, "+Iscene.pov", "-D", "-V", "+W400", "+H300", "Statistics_File=s.json", "+A0.1"]
-    seconds = run([*command, "+Owhole.png"], folder)
+    _, seconds = undisturbed([*command, "+Owhole.png"], folder)
     rays = json.loads((folder / "s.json").read_text())["rays"]
     whole = sum(v for v in rays.values() if isinstance(v, (int, float)))
     process = subprocess.Popen([*command, "+Okilled.png"], cwd=folder)

@@ -18,6 +18,9 @@ import sys
 import tempfile
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
+sys.path.insert(0, str(ROOT / "tests"))
+from support.charts import gnuplot  # noqa: E402
+
 PAGE = ROOT / "docs" / "stability.md"
 CHARTS = ROOT / "docs" / "stability"
 MARKS = ("<!-- lens models: begin -->", "<!-- lens models: end -->")
@@ -254,16 +257,6 @@ def spreadsheet(all_sweeps):
         for value, errors in points:
             writer.writerow([name, f"{value:.6g}", *(f"{e:.6g}" for e in errors)])
     return out.getvalue()
-
-
-def gnuplot(size, script, data, path):
-    with tempfile.TemporaryDirectory() as folder:
-        where = pathlib.Path(folder)
-        (where / "data").write_text("\n\n\n".join(data) + "\n")
-        (where / "script").write_text(f"set terminal pngcairo noenhanced size {size} font 'sans,11'\n"
-                                      f"set output 'chart'\nset grid\n{script}\n")
-        subprocess.run(["gnuplot", "script"], cwd=where, check=True)
-        path.write_bytes((where / "chart").read_bytes())
 
 
 LINES = [(2, "paraxial"), (3, "pinhole"), (4, "blur of thick")]

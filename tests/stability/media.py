@@ -20,6 +20,9 @@ import tempfile
 import zlib
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
+sys.path.insert(0, str(ROOT / "tests"))
+from support.charts import gnuplot  # noqa: E402
+
 PAGE = ROOT / "docs" / "stability.md"
 CHARTS = ROOT / "docs" / "stability"
 MARKS = ("<!-- media: begin -->", "<!-- media: end -->")
@@ -420,16 +423,6 @@ def everything(m):
     phases, hard, leaks = (all_methods(m, cases, title) for cases, title in
                            ((PHASES, "phase function"), (HARD, "setting"), (LEAKS, "scene")))
     return by_samples, curves, phases, hard, leaks, *sized(m)
-
-
-def gnuplot(size, script, data, path):
-    with tempfile.TemporaryDirectory() as folder:
-        where = pathlib.Path(folder)
-        (where / "data").write_text("\n\n\n".join(data) + "\n")
-        (where / "script").write_text(f"set terminal pngcairo noenhanced size {size} font 'sans,11'\nset output 'chart'\n"
-                                      f"set grid\n{script}\n")
-        subprocess.run(["gnuplot", "script"], cwd=where, check=True)
-        path.write_bytes((where / "chart").read_bytes())
 
 
 def draw_errors(curves, path):

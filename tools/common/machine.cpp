@@ -9,21 +9,14 @@
 
 namespace lentray::tool {
 
-namespace {
-
-double cpu_seconds_of(__rusage_who whose) {
+double cpu_seconds_of_children() {
   rusage usage{};
-  getrusage(whose, &usage);
+  getrusage(RUSAGE_CHILDREN, &usage);
   const auto seconds = [](const timeval& t) {
     return static_cast<double>(t.tv_sec) + static_cast<double>(t.tv_usec) * 1e-6;
   };
   return seconds(usage.ru_utime) + seconds(usage.ru_stime);
 }
-
-}  // namespace
-
-double cpu_seconds() { return cpu_seconds_of(RUSAGE_SELF); }
-double cpu_seconds_of_children() { return cpu_seconds_of(RUSAGE_CHILDREN); }
 
 double thread_cpu_seconds() {
   timespec now{};

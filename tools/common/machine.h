@@ -4,10 +4,12 @@
 #include <cstdint>
 #include <string>
 
+#include "core/base/cpu_seconds.h"
+
 namespace lentray::tool {
 
-/// Seconds of processor time of the process, over all threads; of the calling thread alone.
-double cpu_seconds();
+using core::cpu_seconds;
+/// Seconds of processor time of the calling thread.
 double thread_cpu_seconds();
 /// Of programs that this one ran and that have ended, with all that they ran.
 double cpu_seconds_of_children();

@@ -1,8 +1,7 @@
 #include "tools/lentray/message_form.h"
 
-#include <cstdio>
-
 #include "camera/text.h"
+#include "tools/common/formed.h"
 #include "tools/common/progress_bar.h"
 #include "tools/lentray/run_summary.h"
 #include "tools/lentray/stock_form.h"
@@ -15,16 +14,13 @@ using parser::RenderOptions;
 /// Of a frame, or of a view: "View 3 of 8 (number 2)".
 std::string frame_line(const RenderOptions& one, const parser::FrameClock& clock,
                        std::size_t number, std::size_t count) {
-  char text[128];
   if (one.animation.views.count > 0) {
-    std::snprintf(text, sizeof text, "View %zu of %zu (number %u)", number, count,
-                  parser::rendered_view(one).value_or(0));
-    if (!clock.clock_on) return std::string(text) + "\n";
-    return text + (", clock " + camera::format(clock.clock)) + "\n";
+    return formed("View %zu of %zu (number %u)", number, count,
+                  parser::rendered_view(one).value_or(0)) +
+           (clock.clock_on ? ", clock " + camera::format(clock.clock) : "") + "\n";
   }
-  std::snprintf(text, sizeof text, "Frame %d (%zu of %zu), clock %g\n", clock.frame_number, number,
-                count, clock.clock);
-  return text;
+  return formed("Frame %d (%zu of %zu), clock %g\n", clock.frame_number, number, count,
+                clock.clock);
 }
 
 class OwnForm final : public MessageForm {

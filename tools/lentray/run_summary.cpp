@@ -2,10 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdarg>
 #include <cstdint>
-#include <cstdio>
 #include <string>
+
+#include "tools/common/formed.h"
 
 namespace lentray::tool {
 namespace {
@@ -18,29 +18,18 @@ std::string grouped(std::uint64_t number) {
 }
 
 std::string share(std::uint64_t part, std::uint64_t all) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.1f %%",
+  return formed("%.1f %%",
                 all == 0 ? 0.0 : 100.0 * static_cast<double>(part) / static_cast<double>(all));
-  return text;
-}
-
-[[gnu::format(printf, 1, 2)]] std::string format(const char* how, ...) {
-  char text[256];
-  va_list values;
-  va_start(values, how);
-  std::vsnprintf(text, sizeof text, how, values);
-  va_end(values);
-  return text;
 }
 
 /// "Pass:    radiosity 3.21 s: samples 5,779, gathers 12,000".
 std::string pass_line(const core::PassReport& pass) {
-  std::string out = "\nPass:    " + pass.name + format(" %.2f s", pass.wall_s);
+  std::string out = "\nPass:    " + pass.name + formed(" %.2f s", pass.wall_s);
   for (std::size_t i = 0; i < pass.numbers.size(); ++i) {
     const auto& [name, value] = pass.numbers[i];
     const bool is_count = value >= 0.0 && value < 1e18 && value == std::floor(value);
     out += (i == 0 ? ": " : ", ") + name + " ";
-    out += is_count ? grouped(static_cast<std::uint64_t>(value)) : format("%.4g", value);
+    out += is_count ? grouped(static_cast<std::uint64_t>(value)) : formed("%.4g", value);
   }
   return out;
 }
@@ -54,7 +43,7 @@ std::string stages_text(const core::MemoryStages& stages) {
     std::string name(stage.name);
     std::ranges::replace(name, '_', ' ');
     out += (out.empty() ? ": " : ", ") + name +
-           format(" %.0f MB", static_cast<double>(stage.bytes) * 1e-6);
+           formed(" %.0f MB", static_cast<double>(stage.bytes) * 1e-6);
   }
   return out;
 }
@@ -75,14 +64,14 @@ std::string summary(const shadow::RunReport& report, const std::string& output) 
          grouped(shadow.rays);
   if (shadow.rays > 0) out += " (" + share(shadow.blocked, shadow.rays) + " blocked)";
   for (const core::PassReport& pass : report.passes) out += pass_line(pass);
-  out += format(
+  out += formed(
       "\nSeconds: reading %.2f, building %.2f, rendering %.2f (CPU, %d thread%s), writing %.2f\n",
       report.parse_cpu_s, report.compile_cpu_s, report.render_cpu_s, report.threads,
       report.threads == 1 ? "" : "s", report.write_cpu_s);
-  out += format("Memory:  %.0f MB at most", static_cast<double>(report.peak_bytes) * 1e-6);
+  out += formed("Memory:  %.0f MB at most", static_cast<double>(report.peak_bytes) * 1e-6);
   out += stages_text(report.memory) + "\n";
   return out + (output.empty() ? "No file" : output) +
-         format(": %u x %u pixels in %.2f s\n", report.width, report.height, report.wall_s);
+         formed(": %u x %u pixels in %.2f s\n", report.width, report.height, report.wall_s);
 }
 
 }  // namespace lentray::tool

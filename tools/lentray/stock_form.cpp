@@ -2,12 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdarg>
 #include <cstdio>
 #include <mutex>
 #include <string_view>
 
 #include "parser/base/shown.h"
+#include "tools/common/formed.h"
 #include "tools/common/version.h"
 #include "tools/lentray/run.h"
 #include "tools/session/stock_radiosity.h"
@@ -19,15 +19,6 @@ using parser::RenderOptions;
 using parser::Stream;
 
 constexpr std::size_t kWidth = 76;  ///< of rules and titles
-
-[[gnu::format(printf, 1, 2)]] std::string formed(const char* how, ...) {
-  char text[512];
-  va_list values;
-  va_start(values, how);
-  std::vsnprintf(text, sizeof text, how, values);
-  va_end(values);
-  return text;
-}
 
 /// What belongs to no stream goes to the console alone, and always.
 void say(const std::string& text) { std::fputs(text.c_str(), stderr); }

@@ -19,8 +19,6 @@
 namespace lentray::tool {
 namespace {
 
-constexpr std::chrono::milliseconds kBetween{500};  ///< two writes
-constexpr std::size_t kMostPending = 4 << 20;       ///< bytes
 constexpr std::uint32_t kMostPasses = 64;
 
 /// Of the file.
@@ -38,7 +36,7 @@ bool take_start(std::string_view& bytes, std::string_view& identity) {
   return take_mark(bytes, kMark) && take_summed(bytes, identity);
 }
 
-void forget_at(const std::string& path) {
+void forget_passes(const std::string& path) {
   struct stat about {};
   if (::lstat(path.c_str(), &about) != 0 || !S_ISREG(about.st_mode)) return;
   const std::string bytes = file_bytes(path);
@@ -59,8 +57,8 @@ PassFile::~PassFile() {
 }
 
 void PassFile::forget(const std::string& picture) {
-  forget_at(passes_path(picture));
-  forget_at(passes_path(picture) + ".part");
+  forget_passes(passes_path(picture));
+  forget_passes(passes_path(picture) + ".part");
 }
 
 void PassFile::go_on() {
@@ -124,7 +122,8 @@ void PassFile::keep(std::string_view record) {
   core::append_bytes(Head{.pass = m_pass}, m_pending);
   append_summed(record, m_pending);
   const Clock::time_point now = Clock::now();
-  if (now < m_speaks || (m_pending.size() < kMostPending && now - m_flushed < kBetween)) return;
+  if (now < m_speaks || (m_pending.size() < kMostPending && now - m_flushed < kBetweenWrites))
+    return;
   m_flushed = now;
   flush();
 }

@@ -13,16 +13,15 @@
 #include "core/image/run_files.h"
 #include "parser/files/watched_files.h"
 #include "parser/options/options.h"
+#include "tools/session/summed_bytes.h"
 
 namespace lentray::tool {
 namespace {
 
-constexpr std::chrono::milliseconds kBetween{500};  ///< two writes
-constexpr std::size_t kMostPending = 4 << 20;       ///< bytes
 constexpr std::uint32_t kRecord = 0x4c525031;
 
 /// Before a record's pixels, which are their columns and rows and then their values.
-struct Head {
+struct RecordHead {
   std::uint32_t mark = kRecord, stage = 0, count = 0, unused = 0;
   std::uint64_t sum = 0;
 };
@@ -145,7 +144,7 @@ void PictureJournal::go_on() {
 /// Up to the first one that is not whole; what follows is cut off.
 void PictureJournal::read_records(std::uint64_t offset) {
   std::string bytes;
-  for (Head head; read_at(m_file, offset, &head, sizeof head);) {
+  for (RecordHead head; read_at(m_file, offset, &head, sizeof head);) {
     if (head.mark != kRecord || head.stage >= kStages ||
         head.count > std::uint64_t{m_width} * m_height)
       break;
@@ -206,7 +205,7 @@ bool PictureJournal::listens() const {
 void PictureJournal::add(std::size_t stage, const std::vector<core::Pixel>& pixels,
                          const std::vector<float>& values) {
   if (pixels.empty()) return;
-  Head head;
+  RecordHead head;
   head.stage = static_cast<std::uint32_t>(stage);
   head.count = static_cast<std::uint32_t>(pixels.size());
   std::string bytes = bytes_of(pixels.data(), pixels.size() * sizeof(core::Pixel));
@@ -215,7 +214,7 @@ void PictureJournal::add(std::size_t stage, const std::vector<core::Pixel>& pixe
   const std::lock_guard lock(m_mutex);
   m_pending.append(reinterpret_cast<const char*>(&head), sizeof head).append(bytes);
   const Clock::time_point now = Clock::now();
-  if (m_pending.size() < kMostPending && now - m_flushed < kBetween) return;
+  if (m_pending.size() < kMostPending && now - m_flushed < kBetweenWrites) return;
   m_flushed = now;
   flush();
 }

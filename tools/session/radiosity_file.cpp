@@ -10,7 +10,7 @@
 namespace lentray::tool {
 namespace {
 
-constexpr FileMark kMark{"lentray light", 1};
+constexpr FileMark kLightMark{"lentray light", 1};
 
 std::string report_bytes(const core::RadiosityReport& report) {
   std::string out;
@@ -51,21 +51,21 @@ std::string radiosity_file(const Identity& identity, const core::IrradianceCache
   std::string pass, out;
   append_summed(report_bytes(report), pass);
   append_summed(core::bytes_of(cache), pass);
-  core::append_bytes(kMark, out);
+  core::append_bytes(kLightMark, out);
   append_summed(identity.text(), out);
   append_summed(pass, out);
   return out;
 }
 
 bool is_radiosity_file(std::string_view bytes) {
-  return bytes.size() >= sizeof kMark.kind &&
-         std::memcmp(bytes.data(), kMark.kind, sizeof kMark.kind) == 0;
+  return bytes.size() >= sizeof kLightMark.kind &&
+         std::memcmp(bytes.data(), kLightMark.kind, sizeof kLightMark.kind) == 0;
 }
 
 std::string fault_of_radiosity(std::string_view bytes, const Identity& wanted,
                                std::string_view& pass) {
   std::string_view identity;
-  if (!take_mark(bytes, kMark)) return "another version of the program made it";
+  if (!take_mark(bytes, kLightMark)) return "another version of the program made it";
   if (!take_summed(bytes, identity)) return "it is damaged";
   try {
     const std::string other = difference(Identity::of_text(std::string(identity)), wanted);

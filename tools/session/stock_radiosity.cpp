@@ -1,23 +1,14 @@
 #include "tools/session/stock_radiosity.h"
 
-#include <cstdarg>
 #include <cstdint>
-#include <cstdio>
+
+#include "tools/common/formed.h"
 
 namespace lentray::tool {
 namespace {
 
 using core::GatherCounts;
 using core::RadiosityReport;
-
-[[gnu::format(printf, 1, 2)]] std::string in_form(const char* how, ...) {
-  char text[256];
-  va_list values;
-  va_start(values, how);
-  std::vsnprintf(text, sizeof text, how, values);
-  va_end(values);
-  return text;
-}
 
 unsigned long long number(std::uint64_t count) { return count; }
 
@@ -38,32 +29,32 @@ std::string block(const std::string& what, const char* samples, const GatherCoun
       c.queries == 0 ? 0.0
                      : 100.0 * static_cast<double>(c.gathers) / static_cast<double>(c.queries);
   std::string out =
-      in_form("%-35s%11llu (%.2f %%)\n", ("Radiosity " + what + samples + "calculated:").c_str(),
-              number(c.gathers), share);
-  out += in_form("%-35s%11llu\n", ("Radiosity " + what + samples + "reused:").c_str(),
-                 number(c.queries - c.gathers));
-  out += in_form("%-35s%11llu\n",
-                 ("Radiosity " + what + (*samples ? "sample " : "") + "rays shot:").c_str(),
-                 number(c.rays));
+      formed("%-35s%11llu (%.2f %%)\n", ("Radiosity " + what + samples + "calculated:").c_str(),
+             number(c.gathers), share);
+  out += formed("%-35s%11llu\n", ("Radiosity " + what + samples + "reused:").c_str(),
+                number(c.queries - c.gathers));
+  out += formed("%-35s%11llu\n",
+                ("Radiosity " + what + (*samples ? "sample " : "") + "rays shot:").c_str(),
+                number(c.rays));
   return out;
 }
 
 std::string row(const std::string& title, const std::vector<GatherCounts>& depths) {
-  std::string out = in_form("  %-5s", title.c_str());
+  std::string out = formed("  %-5s", title.c_str());
   std::uint64_t sum = 0;
   for (const GatherCounts& depth : depths) {
-    out += in_form(" %10s", depth.gathers == 0 ? "-" : std::to_string(depth.gathers).c_str());
+    out += formed(" %10s", depth.gathers == 0 ? "-" : std::to_string(depth.gathers).c_str());
     sum += depth.gathers;
   }
-  return out + in_form(" %15llu\n", number(sum));
+  return out + formed(" %15llu\n", number(sum));
 }
 
 std::string table(const RadiosityReport& report, const std::vector<GatherCounts>& depths) {
   const std::string rule(76, '-');
   std::string out = "  Pass ";
   for (std::size_t i = 0; i < depths.size(); ++i)
-    out += in_form(" %10s", ("Depth " + std::to_string(i)).c_str());
-  out += in_form(" %15s\n", "Total") + rule + "\n";
+    out += formed(" %10s", ("Depth " + std::to_string(i)).c_str());
+  out += formed(" %15s\n", "Total") + rule + "\n";
   for (std::size_t i = 0; i < report.levels.size(); ++i) {
     const bool is_last = i + 1 == report.levels.size();
     out += row(is_last ? "Final" : std::to_string(i + 1), report.levels[i].depths);

@@ -3,11 +3,17 @@
 // Threads: any.
 #pragma once
 
+#include <chrono>
+#include <cstddef>
 #include <cstdint>
 #include <string>
 #include <string_view>
 
 namespace lentray::tool {
+
+/// Work that is kept is written so often, or once so many bytes wait.
+constexpr std::chrono::milliseconds kBetweenWrites{500};
+constexpr std::size_t kMostPending = 4 << 20;
 
 /// How a file begins.
 struct FileMark {
