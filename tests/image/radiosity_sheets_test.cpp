@@ -95,7 +95,8 @@ TEST(SlowRadiositySheets, EveryViewIsWithinStocksNoise) {
 }
 
 /// Of coarse settings the mean of all views may be farther off than stock's noise: their one pass is off alike in
-/// each. The means of blocks are not.
+/// each. The means of blocks are not. They are in radiosity/rad_def_test_37, whose pass has some 200 samples: of it
+/// 6 of 15 views are within both limits (docs/global.md).
 class SlowRadiositySheetsBlocks : public ::testing::TestWithParam<const char*> {};
 
 TEST_P(SlowRadiositySheetsBlocks, AreWithinStocksNoise) {
@@ -105,7 +106,7 @@ TEST_P(SlowRadiositySheetsBlocks, AreWithinStocksNoise) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Debian, SlowRadiositySheetsBlocks,
-                         ::testing::Values("radiosity/radiosity2.pov",
+                         ::testing::Values("radiosity/radiosity2.pov", "radiosity/radiosity3.pov",
                                            "radiosity/radiosity_37.pov"),
                          [](const auto& scene) { return fs::path(scene.param).stem().string(); });
 

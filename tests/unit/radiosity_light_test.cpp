@@ -113,6 +113,10 @@ TEST(UnitRadiosityLight, BrightnessGreyAndLimit) {
   const Rgb half = grey_one.ask();
   EXPECT_NEAR(half.r, 0.5 + 0.5 * 0.297, 1e-6);
   EXPECT_NEAR(half.g, 0.5 * 0.297, 1e-6);
+  GatherStage bright_grey;
+  bright_grey.settings().gray_threshold = 0.5;
+  bright_grey.settings().brightness = 1.5;
+  EXPECT_EQ(bright_grey.ask(), Rgb(1.5f));
   GatherStage limited;
   limited.parts.settings.background = Colour{Rgb(4.0f, 2.0f, 0.0f)};
   limited.settings().max_sample = 1.0;
@@ -122,13 +126,19 @@ TEST(UnitRadiosityLight, BrightnessGreyAndLimit) {
 }
 
 TEST(UnitRadiosityLight, UnimportantThingsGetFewRaysThatCountMore) {
-  GatherStage stage;
-  stage.add_wall(mat(0.0, 2.0f), 0.25);
-  const Expected expected = over_rays([](Expected& sum, std::size_t i, bool wall) {
-    if (!wall) sum.add(1.0, 1.0);
-    if (wall && static_cast<double>(i) / 40.0 <= 0.25) sum.add(2.0, 41.0 / 11.0);
-  });
-  EXPECT_NEAR(stage.ask().r, expected.mean(), 1e-5);
+  struct Few {
+    double importance;
+    std::size_t rays;  ///< of the 41
+  };
+  for (const Few& few : {Few{0.25, 11}, Few{0.98, 40}}) {
+    GatherStage stage;
+    stage.add_wall(mat(0.0, 2.0f), few.importance);
+    const Expected expected = over_rays([&](Expected& sum, std::size_t i, bool wall) {
+      if (!wall) sum.add(1.0, 1.0);
+      if (wall && i < few.rays) sum.add(2.0, 41.0 / static_cast<double>(few.rays));
+    });
+    EXPECT_NEAR(stage.ask().r, expected.mean(), 1e-5) << few.importance;
+  }
 }
 
 TEST(UnitRadiosityLight, RaysThatUsePoorSamplesCountLess) {
