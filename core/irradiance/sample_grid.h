@@ -14,6 +14,10 @@
 #include <cstdint>
 #include <vector>
 
+#if defined(__SSE__)
+#include <xmmintrin.h>
+#endif
+
 #include "core/base/simd.h"
 #include "core/irradiance/sample.h"
 
@@ -59,7 +63,11 @@ class SampleGrid {
     }
   };
   static Float4 roots(Float4 v) {
+#if defined(__SSE__)
+    return _mm_sqrt_ps(v);
+#else
     return Float4{std::sqrt(v[0]), std::sqrt(v[1]), std::sqrt(v[2]), std::sqrt(v[3])};
+#endif
   }
   /// What is asked, in the unit of the fours.
   struct Target {
@@ -69,13 +77,15 @@ class SampleGrid {
       constexpr float kRounding = 1e-6f, kInFront = 0.101f;
       const Float4 dx = simd::float4_at(four.x) - x, dy = simd::float4_at(four.y) - y,
                    dz = simd::float4_at(four.z) - z;
+      const Float4 distance = roots(dx * dx + dy * dy + dz * dz);
+      const Int4 is_close = distance <= simd::float4_at(four.radius) * most + slack;
+      if (simd::signs(is_close) == 0) return 0;
       const Float4 mx = simd::float4_at(four.nx), my = simd::float4_at(four.ny),
                    mz = simd::float4_at(four.nz);
       const Float4 off = (1.0f - kRounding) - (mx * nx + my * ny + mz * nz);
       const Float4 turned = 2.0f * roots(simd::max(off, simd::float4(0.0f)));
-      const Float4 distance = roots(dx * dx + dy * dy + dz * dz);
-      const Int4 is_near = (distance <= simd::float4_at(four.radius) * most + slack) &
-                           (distance <= simd::float4_at(four.longest) * (most - turned) + slack);
+      const Int4 is_near =
+          is_close & (distance <= simd::float4_at(four.longest) * (most - turned) + slack);
       const Float4 in_front = dx * (mx + nx) + dy * (my + ny) + dz * (mz + nz);
       return simd::signs(is_near & (in_front <= kInFront * distance + 4.0f * slack));
     }

@@ -96,6 +96,14 @@ Reuse SampleStore::find(const ReuseQuery& query, std::size_t limit) const {
   return sum.mean();
 }
 
+bool SampleStore::serves(const ReuseQuery& query, std::size_t first) const {
+  const Vec3 beyond = SampleGrid::beyond_origin(query.point);
+  for (std::size_t i = first; i < m_samples.size(); ++i) {
+    if (m_regions[i].holds(beyond) && reuse_weight(m_samples[i], query) > 0.0) return true;
+  }
+  return false;
+}
+
 std::size_t SampleStore::bytes() const {
   return m_samples.capacity() * (sizeof(IrradianceSample) + sizeof(Region)) + m_grid.bytes();
 }

@@ -32,6 +32,8 @@ class SampleStore {
   void add(const IrradianceSample& sample);
   /// Of the first `limit` samples.
   Reuse find(const ReuseQuery& query, std::size_t limit = kAll) const;
+  /// Whether one of those from `first` on is of use.
+  bool serves(const ReuseQuery& query, std::size_t first) const;
 
   const std::vector<IrradianceSample>& samples() const { return m_samples; }
   std::size_t bytes() const;

@@ -15,15 +15,23 @@ double smooth_edge(double low, double high, double x) {
   return (3.0 - 2.0 * s) * s * s;
 }
 
+/// The exponents that scenes use most are quicker without std::pow, and at least as exact.
+double power(double base, double exponent) {
+  if (exponent == 1.0) return base;
+  if (exponent == 2.0) return base * base;
+  return std::pow(base, exponent);
+}
+
 double spot_factor(const Light& light, const LightRay& ray) {
   double cosine = dot(ray.direction, light.direction);
   if (ray.distance > 0.0) cosine = -cosine;
   if (!(cosine > 0.0)) return 0.0;
-  double factor = light.tightness == 0.0 ? 1.0 : std::pow(cosine, light.tightness);
+  double factor = 1.0;
   if (light.radius > 0.0 && cosine < light.radius) {
-    factor *= smooth_edge(light.falloff, light.radius, cosine);
+    factor = smooth_edge(light.falloff, light.radius, cosine);
+    if (factor == 0.0) return 0.0;
   }
-  return factor;
+  return light.tightness == 0.0 ? factor : power(cosine, light.tightness) * factor;
 }
 
 double cylinder_factor(const Light& light, const Vec3& from) {
@@ -33,7 +41,7 @@ double cylinder_factor(const Light& light, const Vec3& from) {
   const double off_axis = length(away - along * light.direction);
   if (!(off_axis < light.falloff)) return 0.0;
   const double inward = 1.0 - off_axis / light.falloff;
-  double factor = light.tightness == 0.0 ? 1.0 : std::pow(inward, light.tightness);
+  double factor = light.tightness == 0.0 ? 1.0 : power(inward, light.tightness);
   if (light.radius > 0.0 && off_axis > light.radius) {
     factor *= smooth_edge(0.0, 1.0 - light.radius / light.falloff, inward);
   }
@@ -72,7 +80,7 @@ double beam_factor(const Light& light, const Vec3& from, const LightRay& ray) {
 double light_attenuation(const Light& light, const Vec3& from, const LightRay& ray) {
   double factor = beam_factor(light, from, ray);
   if (factor > 0.0 && light.fade_power > 0.0 && std::fabs(light.fade_distance) > kTiny) {
-    factor *= 2.0 / (1.0 + std::pow(ray.distance / light.fade_distance, light.fade_power));
+    factor *= 2.0 / (1.0 + power(ray.distance / light.fade_distance, light.fade_power));
   }
   return factor;
 }

@@ -29,19 +29,20 @@ GatherThreads::Thread& GatherThreads::thread(unsigned number) {
   return *thread;
 }
 
-void GatherThreads::trace(std::span<const GatherRay> rays, bool asks,
+void GatherThreads::trace(std::span<const GatherRay> rays, const SampleLookup* asked,
                           std::span<GatherRecord> records) {
   m_run.each(rays.size(), [&](unsigned number, std::size_t ray) {
     Thread& own = thread(number);
-    own.recorder.record_to(records[ray], asks);
+    own.recorder.record_to(records[ray], asked != nullptr, early(asked));
     records[ray].seen = own.gatherer->gather(rays[ray]);
   });
 }
 
-void GatherThreads::look(std::span<const PassRay> rays, std::span<GatherRecord> records) {
+void GatherThreads::look(std::span<const PassRay> rays, const SampleLookup& asked,
+                         std::span<GatherRecord> records) {
   m_run.each(rays.size(), [&](unsigned number, std::size_t ray) {
     Thread& own = thread(number);
-    own.recorder.record_to(records[ray], true);
+    own.recorder.record_to(records[ray], true, early(&asked));
     if (rays[ray].shows) own.camera->trace(rays[ray].ray, rays[ray].pixel);
   });
 }

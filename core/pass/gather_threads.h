@@ -30,11 +30,13 @@ class GatherThreads final : public GatherTeam {
   GatherThreads(const Scene& scene, const Illumination& light, const ShadowTesterFactory& shadows,
                 PassRun& run)
       : m_scene(scene), m_light(light), m_shadows(shadows), m_run(run), m_threads(run.threads()) {}
-  void trace(std::span<const GatherRay> rays, bool asks, std::span<GatherRecord> records) override;
+  void trace(std::span<const GatherRay> rays, const SampleLookup* asked,
+             std::span<GatherRecord> records) override;
   bool recall(std::string& record) override { return m_run.recall(record); }
   void keep(std::string_view record) override { m_run.keep(record); }
   /// What is asked behind camera rays; the light they bring is nobody's.
-  void look(std::span<const PassRay> rays, std::span<GatherRecord> records);
+  void look(std::span<const PassRay> rays, const SampleLookup& asked,
+            std::span<GatherRecord> records);
   /// Adds the rays that were traced to the pass's numbers.
   void count_rays();
 
@@ -49,6 +51,10 @@ class GatherThreads final : public GatherTeam {
   };
   /// That number's, made on its own thread.
   Thread& thread(unsigned number);
+  /// Who answers alone finds samples when it is time: what is found early may have to be found again.
+  const SampleLookup* early(const SampleLookup* lookup) const {
+    return m_run.threads() > 1 ? lookup : nullptr;
+  }
 
   const Scene& m_scene;
   const Illumination& m_light;

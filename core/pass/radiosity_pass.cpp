@@ -143,7 +143,7 @@ class RadiosityPass::Levels {
       m_rays.push_back(ray);
     }
     m_records.resize(std::max(m_records.size(), m_rays.size()));
-    m_threads.look(m_rays, {m_records.data(), m_rays.size()});
+    m_threads.look(m_rays, m_light->lookup(), {m_records.data(), m_rays.size()});
   }
   /// What one of them asked, in order.
   void ask(std::size_t ray) {
@@ -153,7 +153,7 @@ class RadiosityPass::Levels {
                    sample_key(static_cast<std::int32_t>(pixel.column),
                               static_cast<std::int32_t>(pixel.row), 0));
     if (!m_rays[ray].shows) return;
-    for (const RecordedQuery& asked : m_records[ray].queries) m_light->at(asked.query);
+    for (const RecordedQuery& asked : m_records[ray].queries) m_light->at(asked);
   }
   /// Levels begin, and with them the directions.
   void begin(bool is_last) {

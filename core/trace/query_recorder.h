@@ -7,12 +7,14 @@
 
 #include "core/trace/follow.h"
 #include "core/trace/indirect_light.h"
+#include "core/trace/sample_lookup.h"
 
 namespace lentray::core {
 
 struct RecordedQuery {
   IndirectQuery query;
-  Rgb share;  ///< of the answer in the ray's light
+  Rgb share;         ///< of the answer in the ray's light
+  EarlyReuse early;  ///< the samples that it would be answered with
 };
 
 /// What a ray brings without indirect light, and what it asked.
@@ -24,17 +26,20 @@ struct GatherRecord {
 
 class QueryRecorder final : public IndirectLight {
  public:
-  /// What follows goes there, behind what is there; `wanted`: whether surfaces are to ask at all.
-  void record_to(GatherRecord& record, bool wanted) {
+  /// What follows goes there, behind what is there; `wanted`: whether surfaces are to ask at all;
+  /// `lookup`: for samples that serve what they ask, or null.
+  void record_to(GatherRecord& record, bool wanted, const SampleLookup* lookup = nullptr) {
     m_record = &record;
     m_wanted = wanted;
+    m_lookup = lookup;
     record.queries.clear();
     record.is_whole = true;
   }
   void begin(Pixel, bool, std::uint64_t) override {}
   bool is_wanted() const override { return m_wanted; }
   IndirectAnswer at(const IndirectQuery& query) override {
-    m_record->queries.push_back({query, Rgb()});
+    m_record->queries.push_back(
+        {query, Rgb(), m_lookup ? m_lookup->find_early(query) : EarlyReuse()});
     return {Rgb(), static_cast<std::uint32_t>(m_record->queries.size() - 1)};
   }
   void take_share(std::uint32_t number, const Rgb& share, bool is_first) override {
@@ -44,6 +49,7 @@ class QueryRecorder final : public IndirectLight {
 
  private:
   GatherRecord* m_record = nullptr;
+  const SampleLookup* m_lookup = nullptr;
   bool m_wanted = false;
 };
 

@@ -16,7 +16,6 @@ namespace lentray::core {
 namespace {
 
 constexpr double kSamplesAWeight = 4.0;  ///< a sum of weights of 1 counts as so many samples
-constexpr double kLowWeight = 0.25;      ///< of a ray, from which on errors are borne more easily
 
 /// Of the place and what the answer depends on.
 std::uint64_t hash_of(const IndirectQuery& query) {
@@ -60,12 +59,11 @@ RadiosityLight::RadiosityLight(ThreadContext& context, ShadowTester& shadows,
                                const IrradianceCache& cache, IrradianceCache* growing, bool is_last,
                                GatherTeam* team)
     : m_context(context), m_cache(cache), m_growing(growing), m_settings(cache.settings()),
-      m_is_last(is_last),
-      m_error_bound(m_settings.error_bound * (is_last ? 1.0 : m_settings.low_error_factor)),
-      m_rays(make_gatherer(context, shadows)), m_team(team),
+      m_is_last(is_last), m_rays(make_gatherer(context, shadows)), m_team(team),
       m_counts(static_cast<std::size_t>(cache.depths())) {
   for (int depth = 0; depth < cache.depths(); ++depth) {
-    m_depths.push_back({rules_at(m_settings, depth), cache.directions()});
+    m_depths.push_back(
+        {rules_at(m_settings, depth), cache.directions(), SampleLookup(cache, depth, is_last)});
   }
 }
 
@@ -89,16 +87,16 @@ void RadiosityLight::begin(Pixel pixel, bool is_centre, std::uint64_t key) {
   m_sight = is_centre && !m_growing ? m_cache.sight(pixel) : PixelSight{};
 }
 
-IndirectAnswer RadiosityLight::at(const IndirectQuery& query) {
-  if (m_depth > 0) return found_out(query);
+IndirectAnswer RadiosityLight::answer(const IndirectQuery& query, const EarlyReuse& early) {
+  if (m_depth > 0) return found_out(query, early);
   if (!m_growing) {
     const KnownAnswer* known = known_answer(query);
-    return known ? IndirectAnswer{known->light} : found_out(query);
+    return known ? IndirectAnswer{known->light} : found_out(query, early);
   }
   const std::size_t gathered = m_gathered.size();
-  const IndirectAnswer answer = found_out(query);
-  m_answered.push_back({hash_of(query), answer.light, m_gathered.size() > gathered});
-  return answer;
+  const IndirectAnswer found = found_out(query, early);
+  m_answered.push_back({hash_of(query), found.light, m_gathered.size() > gathered});
+  return found;
 }
 
 const KnownAnswer* RadiosityLight::known_answer(const IndirectQuery& query) {
@@ -116,9 +114,9 @@ const GatheredLight& RadiosityLight::next_gathered() {
   return next;
 }
 
-IndirectAnswer RadiosityLight::found_out(const IndirectQuery& query) {
-  const Vec3& normal = m_settings.normal ? query.layer_normal : query.surface_normal;
-  Reuse known = reuse(query, normal);
+IndirectAnswer RadiosityLight::found_out(const IndirectQuery& query, const EarlyReuse& early) {
+  const Vec3& normal = here().lookup.normal_of(query);
+  Reuse known = reuse(query, early);
   if (!is_enough(known)) {
     const double before = m_quality;
     const GatheredLight more = gathered_for(query, normal);
@@ -129,12 +127,11 @@ IndirectAnswer RadiosityLight::found_out(const IndirectQuery& query) {
   return {toned(known.light, m_settings)};
 }
 
-Reuse RadiosityLight::reuse(const IndirectQuery& query, const Vec3& normal) {
-  const bool is_first = m_depth == 0;
-  const double tolerated = m_error_bound + std::max(0.0, kLowWeight - query.weight);
-  const Reuse found = m_cache.store(m_depth).find(
-      {query.point, normal, tolerated * here().rules.error_factor, m_is_last && is_first},
-      is_first ? m_sight.samples : SampleStore::kAll);
+Reuse RadiosityLight::reuse(const IndirectQuery& query, const EarlyReuse& early) {
+  const SampleLookup& lookup = here().lookup;
+  const Reuse found = m_growing
+                          ? lookup.find(query, early)
+                          : lookup.find(query, m_depth == 0 ? m_sight.samples : SampleStore::kAll);
   GatherCounts& counts = m_counts[static_cast<std::size_t>(m_depth)];
   ++counts.queries;
   counts.found += kSamplesAWeight * found.weight;
@@ -223,7 +220,9 @@ void RadiosityLight::shoot() {
   depth.records.resize(std::max(depth.records.size(), depth.rays.size()));
   depth.qualities.assign(depth.rays.size(), 1.0);
   const bool asks = m_depth + 1 < m_cache.depths();
-  if (m_team) m_team->trace(depth.rays, asks, {depth.records.data(), depth.rays.size()});
+  const SampleLookup* const asked =
+      asks ? &m_depths[static_cast<std::size_t>(m_depth) + 1].lookup : nullptr;
+  if (m_team) m_team->trace(depth.rays, asked, {depth.records.data(), depth.rays.size()});
   if (m_team && !asks) {
     if (!depth.rays.empty()) m_importance = depth.records[depth.rays.size() - 1].seen.importance;
     return;
@@ -235,8 +234,8 @@ void RadiosityLight::shoot() {
     GatherRecord& record = depth.records[i];
     if (m_team && record.is_whole && !m_settings.media) {
       m_importance = record.seen.importance;
-      for (const RecordedQuery& asked : record.queries) {
-        record.seen.light += asked.share * at(asked.query).light;
+      for (const RecordedQuery& noted : record.queries) {
+        record.seen.light += noted.share * at(noted).light;
       }
     } else {
       record.seen = m_rays->gather(depth.rays[i]);

@@ -30,9 +30,9 @@ struct ThreadContext;
 class GatherTeam {
  public:
   virtual ~GatherTeam() = default;
-  /// As many records as rays; the random numbers of each ray are those of its key. `asks`: whether
-  /// surfaces want indirect light.
-  virtual void trace(std::span<const GatherRay> rays, bool asks,
+  /// As many records as rays; the random numbers of each ray are those of its key. `asked`: for samples
+  /// that serve what surfaces ask; null: they want no indirect light.
+  virtual void trace(std::span<const GatherRay> rays, const SampleLookup* asked,
                      std::span<GatherRecord> records) = 0;
   /// What an earlier run kept of the next gather of the first depth; false: nothing.
   virtual bool recall([[maybe_unused]] std::string& record) { return false; }
@@ -54,7 +54,11 @@ class RadiosityLight final : public IndirectLight {
 
   void begin(Pixel pixel, bool is_centre, std::uint64_t key) override;
   bool is_wanted() const override { return m_depth < m_cache.depths(); }
-  IndirectAnswer at(const IndirectQuery& query) override;
+  IndirectAnswer at(const IndirectQuery& query) override { return answer(query, {}); }
+  /// The same of a query that was noted.
+  IndirectAnswer at(const RecordedQuery& asked) { return answer(asked.query, asked.early); }
+  /// For what camera rays ask.
+  const SampleLookup& lookup() const { return m_depths.front().lookup; }
 
   /// By depth, since it was made.
   const std::vector<GatherCounts>& counts() const { return m_counts; }
@@ -68,11 +72,12 @@ class RadiosityLight final : public IndirectLight {
                  IrradianceCache* growing, bool is_last, GatherTeam* team);
   /// What the pass answered to that query of the pixel's centre; null: it did not.
   const KnownAnswer* known_answer(const IndirectQuery& query);
-  IndirectAnswer found_out(const IndirectQuery& query);
+  IndirectAnswer answer(const IndirectQuery& query, const EarlyReuse& early);
+  IndirectAnswer found_out(const IndirectQuery& query, const EarlyReuse& early);
   /// The next of what was gathered for the pixel.
   const GatheredLight& next_gathered();
   /// Samples nearby, and whether that will do.
-  Reuse reuse(const IndirectQuery& query, const Vec3& normal);
+  Reuse reuse(const IndirectQuery& query, const EarlyReuse& early);
   bool is_enough(const Reuse& found) const;
   GatheredLight gathered_for(const IndirectQuery& query, const Vec3& normal);
   GatheredLight gather_or_recall(const IndirectQuery& query, const Vec3& normal);
@@ -87,12 +92,12 @@ class RadiosityLight final : public IndirectLight {
   IrradianceCache* const m_growing;  ///< null: what is gathered is not kept
   const RadiositySettings& m_settings;
   const bool m_is_last;
-  const double m_error_bound;
   std::unique_ptr<Follow> m_rays;  ///< that gather
   GatherTeam* const m_team;        ///< null: this thread traces all
   struct Depth {
     DepthRules rules;
     DirectionCycle cycle;
+    SampleLookup lookup;
     std::vector<GatherRay> rays{};  ///< of the gather on the way
     std::vector<GatherRecord> records{};
     std::vector<double> qualities{};
