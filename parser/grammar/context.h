@@ -2,7 +2,11 @@
 // One Context a scene; every production takes (Parser&, Context&).
 #pragma once
 
+#include <map>
+#include <string>
+
 #include "parser/descriptions/camera.h"
+#include "parser/files/files.h"
 #include "parser/grammar/material.h"
 
 namespace lentray::parser {
@@ -14,6 +18,8 @@ struct Context {
   CameraDesc default_camera;
   /// `#default { radiosity { importance n } }`.
   double default_importance = 1.0;
+  /// Fonts of texts, by the names that the scene gives: each is looked for once.
+  std::map<std::string, FoundFile> fonts;
 };
 
 }  // namespace lentray::parser

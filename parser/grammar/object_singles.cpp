@@ -178,7 +178,14 @@ ShapeDesc parse_superellipsoid(Parser& parser, Context&) {
   return SuperellipsoidShape{std::max(v.u, kLeastExponent), std::max(v.v, kLeastExponent)};
 }
 
-ShapeDesc parse_text(Parser& parser, Context&) {
+FoundFile find_font(Parser& parser, const std::string& name, const Location& where) {
+  auto found = parser.find_to_open(name, where);
+  if (!found) found = parser.find_to_open(name + ".ttf", where);
+  if (!found) parser.fail_at(where, "Cannot find the font file \"" + shown_name(name) + "\".");
+  return std::move(*found);
+}
+
+ShapeDesc parse_text(Parser& parser, Context& context) {
   TextShape s;
   const Location where = parser.location();
   std::string name;
@@ -190,10 +197,9 @@ ShapeDesc parse_text(Parser& parser, Context&) {
     if (!parser.accept(Keyword::kTtf)) parser.fail_expected("ttf or internal");
     name = parser.parse_string();
   }
-  auto found = parser.find_to_open(name, where);
-  if (!found) found = parser.find_to_open(name + ".ttf", where);
-  if (!found) parser.fail_at(where, "Cannot find the font file \"" + shown_name(name) + "\".");
-  s.font = std::move(*found);
+  const auto [font, is_new] = context.fonts.try_emplace(name);
+  if (is_new) font->second = find_font(parser, name, where);
+  s.font = font->second;
   parser.parse_comma();
   s.text = parser.parse_string();
   parser.parse_comma();
