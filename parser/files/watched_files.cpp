@@ -81,6 +81,7 @@ std::optional<std::string> WatchedFiles::read_scene(const std::string& path) con
 
 std::string WatchedFiles::hold(const std::string& path) {
   std::string handle = m_below.hold(path);
+  if (m_seen.contains(path)) return handle;
   if (const auto sum = file_checksum(handle)) saw(path, *sum);
   return handle;
 }
