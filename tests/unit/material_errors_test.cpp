@@ -13,7 +13,7 @@ struct MaterialErrorsCase {
 class ErrorMaterial : public ::testing::TestWithParam<MaterialErrorsCase> {};
 
 TEST_P(ErrorMaterial, IsToldSo) {
-  const std::string message = failure(GetParam().text);
+  const std::string message = looks_failure(GetParam().text);
   EXPECT_NE(message.find(GetParam().message), std::string::npos) << message;
 }
 
@@ -120,19 +120,20 @@ INSTANTIATE_TEST_SUITE_P(Message, ErrorMaterial, ::testing::ValuesIn(kCases),
                          [](const auto& named) { return std::string(named.param.name); });
 
 TEST(ErrorMaterialDefault, PatternedTexture) {
-  EXPECT_NE(failure("",
-                    "#default { texture { checker texture { pigment { rgb 1 } } texture {"
-                    " pigment { rgb 1 } } } }")
+  EXPECT_NE(looks_failure("",
+                          "#default { texture { checker texture { pigment { rgb 1 } } texture {"
+                          " pigment { rgb 1 } } } }")
                 .find("cannot be a map of textures"),
             std::string::npos);
 }
 
 TEST(ErrorMaterialDefault, LayeredTexture) {
-  EXPECT_NE(failure("",
+  EXPECT_NE(
+      looks_failure("",
                     "#declare T = texture { pigment { rgb 1 } } texture { pigment { rgbt 1 } }"
                     " #default { texture { T } }")
-                .find("cannot be layered"),
-            std::string::npos);
+          .find("cannot be layered"),
+      std::string::npos);
 }
 
 TEST(ErrorMaterialWarning, ColourInAnObject) {

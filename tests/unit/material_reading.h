@@ -73,7 +73,7 @@ class LooksText {
 };
 
 /// The message with which looks fail; "" if they do not.
-inline std::string failure(const std::string& looks, const std::string& before = "") {
+inline std::string looks_failure(const std::string& looks, const std::string& before = "") {
   try {
     LooksText read(looks, before);
   } catch (const ParseError& error) {
