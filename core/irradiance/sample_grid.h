@@ -14,10 +14,6 @@
 #include <cstdint>
 #include <vector>
 
-#if defined(__SSE__)
-#include <xmmintrin.h>
-#endif
-
 #include "core/base/simd.h"
 #include "core/irradiance/sample.h"
 
@@ -63,11 +59,7 @@ class SampleGrid {
     }
   };
   static Float4 roots(Float4 v) {
-#if defined(__SSE__)
-    return _mm_sqrt_ps(v);
-#else
     return Float4{std::sqrt(v[0]), std::sqrt(v[1]), std::sqrt(v[2]), std::sqrt(v[3])};
-#endif
   }
   /// What is asked, in the unit of the fours.
   struct Target {

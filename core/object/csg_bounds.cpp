@@ -7,11 +7,17 @@
 
 #include "core/object/csg_search.h"
 #include "core/object/leaf.h"
+#include "core/shape/prism.h"
 
 namespace lentray::core {
 namespace {
 
 constexpr std::size_t kMany = 9;  // children from which a hierarchy over them pays
+
+bool is_convex_solid(const Shape& shape) {
+  if (const auto* prism = dynamic_cast<const Prism*>(&shape)) return prism->is_convex_solid();
+  return shape.traits().convexity == Convexity::kConvex;
+}
 
 }  // namespace
 
@@ -128,8 +134,7 @@ bool Csg::is_overlap() const {
   return std::ranges::all_of(m_children, [this](const auto& child) {
     if (typeid(*child) != typeid(Leaf) || child->is_inverse() != joins(m_kind)) return false;
     const auto& leaf = static_cast<const Leaf&>(*child);
-    return leaf.shape().traits().convexity == Convexity::kConvex && leaf.clips().empty() &&
-           leaf.gates().empty();
+    return is_convex_solid(leaf.shape()) && leaf.clips().empty() && leaf.gates().empty();
   });
 }
 

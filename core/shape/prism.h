@@ -21,9 +21,9 @@ class Prism final : public Shape {
   Prism(std::string_view name, std::shared_ptr<const Outline> outline, Sweep sweep, double from,
         double to, bool open);
 
-  ShapeTraits traits() const override {
-    return {.name = m_name, .convexity = m_convex ? Convexity::kConvex : Convexity::kNone};
-  }
+  /// Its normals may point inwards, so that a convex solid is not of Convexity::kConvex.
+  ShapeTraits traits() const override { return {.name = m_name}; }
+  bool is_convex_solid() const { return m_convex; }
   Bounds bounds() const override;
   Bounds bounds_in(const Transform& t) const override;
   bool nearest(const Ray& ray, double t_min, double t_max, ShapeHit& hit) const override;
