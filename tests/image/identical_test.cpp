@@ -2,6 +2,8 @@
 // threads.
 #include <gtest/gtest.h>
 
+#include <numeric>
+
 #include "tests/support/render.h"
 
 namespace lentray::test {
@@ -9,11 +11,23 @@ namespace {
 
 namespace fs = std::filesystem;
 
-enum class Ways { kAll, kHalf };
+/// The parameter: one of how many pairs of an order and a cache are tried. 1: all.
+class ImageIdentical : public ::testing::TestWithParam<std::size_t> {
+ protected:
+  void expect_identical(const std::vector<std::string>& scene);
+};
+/// Which pairs these are differs from test to test, so that together they try all.
+INSTANTIATE_TEST_SUITE_P(Some, ImageIdentical, ::testing::Values(4));
+INSTANTIATE_TEST_SUITE_P(Slow, ImageIdentical, ::testing::Values(1));
 
-/// Renders the scene in every way and holds each picture against the first. kHalf: each order meets
-/// every other cache, and each cache every other order.
-void expect_identical(const std::vector<std::string>& scene, Ways ways = Ways::kAll) {
+/// The same for a test each time that it runs, another one for another test.
+std::size_t number_of_test() {
+  const std::string name = ::testing::UnitTest::GetInstance()->current_test_info()->name();
+  return std::accumulate(name.begin(), name.end(), std::size_t{0});
+}
+
+/// Renders the scene in these ways and holds each picture against the first.
+void ImageIdentical::expect_identical(const std::vector<std::string>& scene) {
   const tool::TemporaryFolder folder;
   StoredImage first;
   // Bands as high as the picture, a row, odd, and more than a row of tiles.
@@ -30,7 +44,7 @@ void expect_identical(const std::vector<std::string>& scene, Ways ways = Ways::k
          {"off", "last", "depth", "tree", "neighbourhood", "grid", "cascade", "auto"}) {
       const std::size_t row = pair / 8, column = pair % 8;
       ++pair;
-      if (ways == Ways::kHalf && (row + column) % 2 == 1) continue;
+      if ((row + column + number_of_test()) % GetParam() != 0) continue;
       const int threads = kThreads[(run + run / 7) % std::size(kThreads)];
       std::vector<std::string> arguments = scene;
       const std::vector<std::string> way{
@@ -57,50 +71,45 @@ std::string identical_scene_file(const char* name) {
   return "+I" + (source_folder() / "scenes" / name).string();
 }
 
-TEST(ImageIdentical, BallsIntegral) {
+TEST_P(ImageIdentical, BallsIntegral) {
   expect_identical({identical_scene_file("spd_balls.pov"), "Declare=Size=3",
                     "Declare=Lenticular_Camera=1", "+W150", "+H100"});
 }
 
-TEST(ImageIdentical, GearsIntegral) {
+TEST_P(ImageIdentical, GearsIntegral) {
   expect_identical({identical_scene_file("spd_gears.pov"), "Declare=Size=2",
                     "Declare=Lenticular_Camera=1", "+W90", "+H60"});
 }
 
-TEST(ImageIdentical, DemoIntegral) {
+TEST_P(ImageIdentical, DemoIntegral) {
   expect_identical({identical_scene_file("demo.pov"), "Lenticular=On", "+W120", "+H90"});
 }
 
-TEST(ImageIdentical, FractionalLensesIntegral) {
+TEST_P(ImageIdentical, FractionalLensesIntegral) {
   expect_identical(
       {identical_scene_file("demo.pov"), "Lenticular=On", "Lens_Pixels=12.5", "+W120", "+H90"});
 }
 
-TEST(ImageIdentical, ThickLensesIntegral) {
+TEST_P(ImageIdentical, ThickLensesIntegral) {
   expect_identical({identical_scene_file("demo.pov"), "Lenticular=On", "Lens_Model=thick",
-                    "Lens_Rays=3", "Lens_Pixels=6", "+W60", "+H40"},
-                   Ways::kHalf);
+                    "Lens_Rays=3", "Lens_Pixels=6", "+W60", "+H40"});
   // Some rays show nothing; antialiased.
   expect_identical({identical_scene_file("demo.pov"), "Lenticular=On", "Lens_Model=thick",
                     "Lens_Rays=4", "Lens_Pitch=2.2", "Lens_Focal_Length=3.03", "Lens_Pixels=6",
-                    "Antialias_Angle=2", "+A0.2", "+R2", "+W48", "+H24"},
-                   Ways::kHalf);
+                    "Antialias_Angle=2", "+A0.2", "+R2", "+W48", "+H24"});
 }
 
-TEST(ImageIdentical, SlantedLensesIntegral) {
+TEST_P(ImageIdentical, SlantedLensesIntegral) {
   expect_identical({identical_scene_file("demo.pov"), "Lenticular=On", "Lens_Slant=1/3",
-                    "Lens_Pixels=7.37", "+W100", "+H60"},
-                   Ways::kHalf);
+                    "Lens_Pixels=7.37", "+W100", "+H60"});
   expect_identical({identical_scene_file("demo.pov"), "Lenticular=On", "Lens_Slant=-20",
                     "Lens_Model=thick", "Lens_Rays=2", "Lens_Pixels=6", "View_Distance=inf",
-                    "Antialias_Angle=2", "+A0.2", "+R2", "+W48", "+H30"},
-                   Ways::kHalf);
+                    "Antialias_Angle=2", "+A0.2", "+R2", "+W48", "+H30"});
   expect_identical({identical_scene_file("demo.pov"), "Lenticular=On", "Lens_Slant=1/6", "+AM2",
-                    "+A0.1", "+R2", "Lens_Pixels=6", "+W48", "+H30"},
-                   Ways::kHalf);
+                    "+A0.1", "+R2", "Lens_Pixels=6", "+W48", "+H30"});
 }
 
-TEST(ImageIdentical, DemoInItsOwnCamera) {
+TEST_P(ImageIdentical, DemoInItsOwnCamera) {
   expect_identical({identical_scene_file("demo.pov"), "+W120", "+H90"});
 }
 
@@ -115,7 +124,7 @@ sphere { <0.7,0.6,-1.4>, 0.6 pigment { rgb <0.6,1,0.8> filter 0.8 } interior { i
 box { <1.2,0,1>, <2.2,1.3,2> pigment { rgb <0.5,0.8,0.4> } }
 )";
 
-TEST(ImageIdentical, FocalBlur) {
+TEST_P(ImageIdentical, FocalBlur) {
   const tool::TemporaryFolder folder;
   tool::write_text(folder / "blurred.pov", kBlurred);
   const std::string scene = "+I" + (folder / "blurred.pov").string();
@@ -136,10 +145,10 @@ sphere { <0.7,0.6,-1.4>, 0.6 pigment { rgb <0.6,1,0.8> filter 0.5 } finish { sub
   translucency 20 } } interior { ior 1.3 } }
 )";
 
-TEST(ImageIdentical, SubsurfaceLight) {
+TEST_P(ImageIdentical, SubsurfaceLight) {
   const tool::TemporaryFolder folder;
   tool::write_text(folder / "translucent.pov", kTranslucent);
-  expect_identical({"+I" + (folder / "translucent.pov").string(), "+W24", "+H18"}, Ways::kHalf);
+  expect_identical({"+I" + (folder / "translucent.pov").string(), "+W24", "+H18"});
 }
 
 const char* const kShot = R"(#version 3.7;
@@ -153,10 +162,10 @@ box { <-0.8,0.01,-1>, <0.8,0.6,1> hollow pigment { rgbt 1 } photons { pass_throu
   interior { media { scattering { 1, 0.5 } samples 3 density { bozo scale 0.3 } } } }
 )";
 
-TEST(ImageIdentical, Photons) {
+TEST_P(ImageIdentical, Photons) {
   const tool::TemporaryFolder folder;
   tool::write_text(folder / "shot.pov", kShot);
-  expect_identical({"+I" + (folder / "shot.pov").string(), "+W24", "+H18"}, Ways::kHalf);
+  expect_identical({"+I" + (folder / "shot.pov").string(), "+W24", "+H18"});
 }
 
 /// A sheet without thickness tilted so that it rises from 3e-4 to 4e-3 above a plane, under the light: across the
@@ -176,7 +185,7 @@ sphere { <0.4,0.8,0>, 0.3 pigment { rgb <1,0,0> } finish { reflection 0.5 } }
 )";
 }
 
-TEST(ImageIdentical, PlateJustAboveAFloor) {
+TEST_P(ImageIdentical, PlateJustAboveAFloor) {
   const tool::TemporaryFolder folder;
   tool::write_text(folder / "plate.pov", plate_scene(0.0));
   expect_identical({"+I" + (folder / "plate.pov").string(), "+W80", "+H60"});
@@ -258,38 +267,34 @@ box { <1.2,0,0>, <2.2,1.4,1> hollow pigment { rgbt 0.9 } interior { media {
 media { scattering { 4, 0.01 } samples 3 jitter 0.3 }
 )";
 
-TEST(ImageIdentical, Media) {
+TEST_P(ImageIdentical, Media) {
   const tool::TemporaryFolder folder;
   tool::write_text(folder / "haze.pov", kHaze);
   const std::string scene = "+I" + (folder / "haze.pov").string();
-  expect_identical({scene, "+W40", "+H30"}, Ways::kHalf);
-  expect_identical({scene, "Lenticular=On", "Lens_Pixels=6", "+W48", "+H24"}, Ways::kHalf);
+  expect_identical({scene, "+W40", "+H30"});
+  expect_identical({scene, "Lenticular=On", "Lens_Pixels=6", "+W48", "+H24"});
 }
 
 /// Several tiles, whose edges cut lenses' neighbours.
-TEST(ImageIdentical, AntialiasedInTiles) {
-  expect_identical({identical_scene_file("demo.pov"), "+A0.2", "+R2", "+W140", "+H130"},
-                   Ways::kHalf);
+TEST_P(ImageIdentical, AntialiasedInTiles) {
+  expect_identical({identical_scene_file("demo.pov"), "+A0.2", "+R2", "+W140", "+H130"});
 }
 
-TEST(ImageIdentical, AntialiasedByCorners) {
-  expect_identical({identical_scene_file("demo.pov"), "+A0.1", "+AM2", "+R2", "+W120", "+H90"},
-                   Ways::kHalf);
+TEST_P(ImageIdentical, AntialiasedByCorners) {
+  expect_identical({identical_scene_file("demo.pov"), "+A0.1", "+AM2", "+R2", "+W120", "+H90"});
 }
 
-TEST(ImageIdentical, AntialiasedSheetInTiles) {
+TEST_P(ImageIdentical, AntialiasedSheetInTiles) {
   expect_identical({identical_scene_file("demo.pov"), "Lenticular=On", "Lens_Pixels=1.2", "+A0.2",
-                    "+R2", "+W160", "+H130"},
-                   Ways::kHalf);
+                    "+R2", "+W160", "+H130"});
 }
 
-TEST(ImageIdentical, AntialiasedSheetByCorners) {
+TEST_P(ImageIdentical, AntialiasedSheetByCorners) {
   expect_identical({identical_scene_file("demo.pov"), "Lenticular=On", "Lens_Pixels=7.37",
-                    "Antialias_Angle=2", "+A0.2", "+AM2", "+R2", "+W72", "+H48"},
-                   Ways::kHalf);
+                    "Antialias_Angle=2", "+A0.2", "+AM2", "+R2", "+W72", "+H48"});
 }
 
-class ImageIdenticalOccluders : public ::testing::Test {
+class ImageIdenticalOccluders : public ImageIdentical {
  protected:
   void expect(std::vector<std::string> arguments) {
     const tool::TemporaryFolder folder;
@@ -299,20 +304,23 @@ class ImageIdenticalOccluders : public ::testing::Test {
   }
 };
 
-TEST_F(ImageIdenticalOccluders, OrdinaryCamera) { expect({"+W96", "+H72"}); }
-TEST_F(ImageIdenticalOccluders, Sheet) {
+INSTANTIATE_TEST_SUITE_P(Some, ImageIdenticalOccluders, ::testing::Values(4));
+INSTANTIATE_TEST_SUITE_P(Slow, ImageIdenticalOccluders, ::testing::Values(1));
+
+TEST_P(ImageIdenticalOccluders, OrdinaryCamera) { expect({"+W96", "+H72"}); }
+TEST_P(ImageIdenticalOccluders, Sheet) {
   expect({"Lenticular=On", "Lens_Pixels=8", "+W96", "+H60"});
 }
-TEST_F(ImageIdenticalOccluders, OneLens) {
+TEST_P(ImageIdenticalOccluders, OneLens) {
   expect({"Lenticular=On", "Lens_Pixels=24", "+W24", "+H60"});
 }
-TEST_F(ImageIdenticalOccluders, OnePixelALens) {
+TEST_P(ImageIdenticalOccluders, OnePixelALens) {
   expect({"Lenticular=On", "Lens_Pixels=1", "+W60", "+H48"});
 }
-TEST_F(ImageIdenticalOccluders, FractionalLenses) {
+TEST_P(ImageIdenticalOccluders, FractionalLenses) {
   expect({"Lenticular=On", "Lens_Pixels=7.37", "+W80", "+H48"});
 }
-TEST_F(ImageIdenticalOccluders, FiniteDistance) {
+TEST_P(ImageIdenticalOccluders, FiniteDistance) {
   expect({"Lenticular=On", "Lens_Pixels=6", "View_Distance=400", "+W72", "+H48"});
 }
 
