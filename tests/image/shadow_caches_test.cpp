@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <map>
+#include <span>
 
 #include "tests/support/render.h"
 
@@ -21,6 +22,9 @@ constexpr Small kSpd[] = {{"balls", 2}, {"gears", 2}, {"rings", 2}, {"tetra", 3}
 
 class ImageShadowCaches : public ::testing::Test {
  protected:
+  void expect_nearly_all_hits(std::span<const Small> scenes) const;
+  void expect_nearly_all_hits_of_auto(std::span<const Small> scenes) const;
+  void expect_auto_to_test_least(std::span<const Small> scenes) const;
   nlohmann::json run(const Small& small, ShadowCachesWords more) const {
     return run_whole(small, std::move(more)).at("shadow");
   }
@@ -49,8 +53,12 @@ class ImageShadowCaches : public ::testing::Test {
   const tool::TemporaryFolder m_folder;
 };
 
-TEST_F(ImageShadowCaches, TheGridHasNearlyAllHitsThereCanBeInAnyOrder) {
-  for (const Small& small : kSpd) {
+/// The same of all scenes.
+class SlowShadowCaches : public ImageShadowCaches {};
+constexpr std::span kFew(kSpd, 2);
+
+void ImageShadowCaches::expect_nearly_all_hits(std::span<const Small> scenes) const {
+  for (const Small& small : scenes) {
     for (const char* order : {"rows", "views", "columns", "adaptive"}) {
       const auto s = run(small, {"+W600", "+H400", "-UL", "Shadow_Cache=grid",
                                  std::string("Pixel_Order=") + order});
@@ -59,9 +67,16 @@ TEST_F(ImageShadowCaches, TheGridHasNearlyAllHitsThereCanBeInAnyOrder) {
   }
 }
 
+TEST_F(ImageShadowCaches, TheGridHasNearlyAllHitsThereCanBeInAnyOrder) {
+  expect_nearly_all_hits(kFew);
+}
+TEST_F(SlowShadowCaches, TheGridHasNearlyAllHitsThereCanBeInAnyOrder) {
+  expect_nearly_all_hits(kSpd);
+}
+
 // Light buffers foresee what blocks; nothing is remembered.
-TEST_F(ImageShadowCaches, AutoHasThemTooWithLightBuffersInAnyOrder) {
-  for (const Small& small : kSpd) {
+void ImageShadowCaches::expect_nearly_all_hits_of_auto(std::span<const Small> scenes) const {
+  for (const Small& small : scenes) {
     for (const char* order : {"rows", "views", "columns", "adaptive"}) {
       const auto s = run(small, {"+W600", "+H400", std::string("Pixel_Order=") + order});
       EXPECT_GE(of_bound(s), 0.95) << small.scene << " " << order;
@@ -71,7 +86,14 @@ TEST_F(ImageShadowCaches, AutoHasThemTooWithLightBuffersInAnyOrder) {
   }
 }
 
-TEST_F(ImageShadowCaches, WithLightBuffersAutoAsksNoCacheAndTestsLeast) {
+TEST_F(ImageShadowCaches, AutoHasThemTooWithLightBuffersInAnyOrder) {
+  expect_nearly_all_hits_of_auto(kFew);
+}
+TEST_F(SlowShadowCaches, AutoHasThemTooWithLightBuffersInAnyOrder) {
+  expect_nearly_all_hits_of_auto(kSpd);
+}
+
+void ImageShadowCaches::expect_auto_to_test_least(std::span<const Small> scenes) const {
   // Of shapes, by searches and by probes. (A volume that the point is outside of is a test of bounds.)
   const auto tests_with = [&](const Small& small, const char* cache) {
     const auto s = run_whole(small, {"+W600", "+H400", std::string("Shadow_Cache=") + cache});
@@ -80,13 +102,19 @@ TEST_F(ImageShadowCaches, WithLightBuffersAutoAsksNoCacheAndTestsLeast) {
   constexpr const char* kCaches[] = {"last", "neighbourhood", "grid", "cascade"};
   double of_auto = 0.0;
   std::map<std::string, double> of_cache;
-  for (const Small& small : kSpd) {
+  for (const Small& small : scenes) {
     const double tests = tests_with(small, "auto");
     EXPECT_EQ(tests, tests_with(small, "off")) << small.scene;
     of_auto += tests;
     for (const char* cache : kCaches) of_cache[cache] += tests_with(small, cache);
   }
   for (const auto& [cache, tests] : of_cache) EXPECT_LT(of_auto, tests) << cache;
+}
+TEST_F(ImageShadowCaches, WithLightBuffersAutoAsksNoCacheAndTestsLeast) {
+  expect_auto_to_test_least(kFew);
+}
+TEST_F(SlowShadowCaches, WithLightBuffersAutoAsksNoCacheAndTestsLeast) {
+  expect_auto_to_test_least(kSpd);
 }
 
 // The rule: without a light buffer, what `neighbourhood` does.
