@@ -280,7 +280,7 @@ TEST_F(ImageRadiosityFiles, RunsOfABatchShareIt) {
 TEST(SlowRadiosityGoingOn, KilledTwentyTimesItHasTheBitsOfOneRun) {
   const tool::TemporaryFolder folder;
   tool::write_text(folder / "a.pov",
-                   kept_room("count 1200 error_bound 0.12 recursion_limit 3 nearest_count 10"));
+                   kept_room("count 1600 error_bound 0.08 recursion_limit 3 nearest_count 10"));
   const auto command = [](std::vector<std::string> more) {
     more.insert(more.begin(),
                 {program("lentray").string(), "+Ia.pov", "-V", "-A", "+W160", "+H120"});
