@@ -76,18 +76,7 @@ TEST(ImagePhotonBits, LoadedOnesGiveThePictureOfThoseThatWereSaved) {
 TEST(SlowPhotonsGoingOn, KilledTwentyTimesTheyHaveTheBitsOfOneRun) {
   const tool::TemporaryFolder folder;
   tool::write_text(folder / "a.pov", photon_bits_scene("spacing 0.0012 media 4, 20").sdl);
-  const auto command = [](std::vector<std::string> more) {
-    more.insert(more.begin(), {program("lentray").string(), "+Ia.pov", "-V", "-A", "+W80", "+H60"});
-    return more;
-  };
-  ASSERT_EQ(tool::run_program(command({"+Owhole.png", "+WT2"}), folder.path()).status, 0);
-  for (int run = 0; run < 20; ++run) {
-    ASSERT_TRUE(kill_in_the_middle(command({"+Oa.png", "+C", "+WT1"}), folder.path()))
-        << "run " << run << " was over too soon";
-  }
-  ASSERT_EQ(tool::run_program(command({"+Oa.png", "+C", "+WT2"}), folder.path()).status, 0);
-  EXPECT_TRUE(
-      same_bits(core::read_image(folder / "a.png"), core::read_image(folder / "whole.png")));
+  expect_bits_after_kills("80", "60", folder.path());
 }
 
 }  // namespace

@@ -281,19 +281,7 @@ TEST(SlowRadiosityGoingOn, KilledTwentyTimesItHasTheBitsOfOneRun) {
   const tool::TemporaryFolder folder;
   tool::write_text(folder / "a.pov",
                    kept_room("count 1600 error_bound 0.08 recursion_limit 3 nearest_count 10"));
-  const auto command = [](std::vector<std::string> more) {
-    more.insert(more.begin(),
-                {program("lentray").string(), "+Ia.pov", "-V", "-A", "+W160", "+H120"});
-    return more;
-  };
-  ASSERT_EQ(tool::run_program(command({"+Owhole.png", "+WT2"}), folder.path()).status, 0);
-  for (int run = 0; run < 20; ++run) {
-    ASSERT_TRUE(kill_in_the_middle(command({"+Oa.png", "+C", "+WT1"}), folder.path()))
-        << "run " << run << " was over too soon";
-  }
-  ASSERT_EQ(tool::run_program(command({"+Oa.png", "+C", "+WT2"}), folder.path()).status, 0);
-  EXPECT_TRUE(
-      same_bits(core::read_image(folder / "a.png"), core::read_image(folder / "whole.png")));
+  expect_bits_after_kills("160", "120", folder.path());
 }
 
 }  // namespace
