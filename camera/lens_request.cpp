@@ -7,8 +7,8 @@
 namespace lentray::camera {
 namespace {
 
-/// Two ways to say one thing agree when they differ by no more than printed digits do.
-bool agree(double a, double b) { return std::fabs(a - b) <= 1e-4 * std::fabs(b); }
+/// Whether two ways to say one thing agree: they differ by no more than printed digits do.
+bool same_but_for_digits(double a, double b) { return std::fabs(a - b) <= 1e-4 * std::fabs(b); }
 
 /// N from the print's resolution. With the eye given in scene units V itself depends on N
 /// (the sheet is W/N lenses wide): N (1 - a w / (n v W)) = a P with a = DPI/25.4 and f in w; P is along
@@ -147,7 +147,7 @@ LensParameters resolve(const LensRequest& request, std::uint32_t width, const Ey
   check(lens);
   if (request.print_dpi) {
     const double pixels = pixels_of_dpi(lens, *request.print_dpi, width, eye);
-    if (request.pixels && !agree(*request.pixels, pixels)) {
+    if (request.pixels && !same_but_for_digits(*request.pixels, pixels)) {
       throw CameraError(format(*request.pixels) + " pixels a lens and " +
                             format(*request.print_dpi) + " pixels an inch (" + format(pixels) +
                             " pixels a lens) contradict each other: give one of them",

@@ -9,7 +9,7 @@
 namespace lentray::core {
 namespace {
 
-using Pixel = std::array<std::uint8_t, 4>;
+using TargaPixel = std::array<std::uint8_t, 4>;
 
 enum class Kind { kPalette = 1, kColours = 2, kGreys = 3 };
 
@@ -63,7 +63,7 @@ Head read_head(const Bytes& file) {
 }
 
 /// Five bits a colour are the upper ones of eight, the others 0.
-Pixel pixel_at(const Bytes& file, std::size_t at, std::size_t bits) {
+TargaPixel pixel_at(const Bytes& file, std::size_t at, std::size_t bits) {
   const auto byte = [&](std::size_t i) { return static_cast<std::uint8_t>(file.byte(at + i)); };
   if (bits >= 24) return {byte(2), byte(1), byte(0), bits == 32 ? byte(3) : std::uint8_t{255}};
   const std::size_t word = file.word(at);
@@ -119,7 +119,7 @@ void read_palette(const Bytes& file, const Head& head, StoredImage& image) {
   for (std::size_t i = 0; i < head.entries; ++i) {
     const std::size_t entry = head.first_entry + i;
     if (entry >= 256) break;
-    const Pixel colour =
+    const TargaPixel colour =
         pixel_at(file, head.palette + i * ((head.entry_bits + 7) / 8), head.entry_bits);
     for (std::size_t c = 0; c < 4; ++c) palette[4 * entry + c] = colour[c];
   }
@@ -157,7 +157,7 @@ StoredImage read_targa(std::string_view bytes) {
       for (std::size_t c = 0; c < channels; ++c)
         to[c] = static_cast<std::uint8_t>(file.byte(at + c));
     } else {
-      const Pixel colour = pixel_at(file, at, head.bits);
+      const TargaPixel colour = pixel_at(file, at, head.bits);
       for (std::size_t c = 0; c < channels; ++c) to[c] = colour[c];
     }
   });

@@ -1,6 +1,7 @@
 #include <array>
 #include <cmath>
 
+#include "core/base/tiny.h"
 #include "core/base/whole.h"
 #include "core/material/normals.h"
 #include "core/noise/noise.h"
@@ -121,9 +122,7 @@ class Facets final : public Displacement {
     return best;
   }
   static Vec3 random_point(const Vec3& p) {
-    constexpr double kEpsilon = 1e-10;
-    const Vec3 cell{std::floor(p.x - kEpsilon), std::floor(p.y - kEpsilon),
-                    std::floor(p.z - kEpsilon)};
+    const Vec3 cell{std::floor(p.x - kTiny), std::floor(p.y - kTiny), std::floor(p.z - kTiny)};
     const std::size_t seed = lattice_hash(whole_of(cell.x), whole_of(cell.y), whole_of(cell.z));
     return cell + Vec3(lattice_random(seed), lattice_random(seed + 1), lattice_random(seed + 2));
   }

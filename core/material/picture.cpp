@@ -7,6 +7,7 @@
 #include <limits>
 #include <numbers>
 
+#include "core/base/tiny.h"
 #include "core/base/whole.h"
 #include "core/pattern/single.h"
 
@@ -15,7 +16,6 @@ namespace {
 
 std::atomic<std::uint64_t> g_bytes{0};  ///< of all pictures
 
-constexpr double kEpsilon = 1e-10;
 constexpr double kTwoPi = 2.0 * std::numbers::pi;
 
 double wrap(double value, double size) {
@@ -119,8 +119,8 @@ class PictureDisplacement final : public Displacement {
     // The picture's axes as seen from the surface: up is the normal.
     Vec3 up = normal;
     Vec3 across = cross(up, {0, 1, 0});
-    if (length(across) < kEpsilon) {
-      up = {0, std::fabs(normal.y - 1.0) < kEpsilon ? 1.0 : -1.0, 0};
+    if (length(across) < kTiny) {
+      up = {0, std::fabs(normal.y - 1.0) < kTiny ? 1.0 : -1.0, 0};
       across = {1, 0, 0};
     }
     across = normalized(across);
@@ -299,8 +299,8 @@ std::optional<Vec2> MappedPicture::place(const Vec3& point) const {
   const double width = m_picture->width(), height = m_picture->height();
   Vec2 place;
   if (!on_shape(point, place)) return std::nullopt;
-  place.u += kEpsilon - m_layout.offset.u * width;
-  place.v += kEpsilon - m_layout.offset.v * height;
+  place.u += kTiny - m_layout.offset.u * width;
+  place.v += kTiny - m_layout.offset.v * height;
   if (m_layout.once && (place.u >= width || place.v >= height || place.u < 0.0 || place.v < 0.0)) {
     return std::nullopt;
   }

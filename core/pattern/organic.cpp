@@ -6,11 +6,11 @@
 #include <numbers>
 
 #include "core/base/thread_table.h"
+#include "core/base/tiny.h"
 
 namespace lentray::core {
 namespace {
 
-constexpr double kEpsilon = 1e-10;
 constexpr double kPi = std::numbers::pi;
 
 class Bozo final : public Pattern {
@@ -328,7 +328,7 @@ class CracklePattern final : public Pattern {
     return nearest;
   }
 
-  static int cell(double v) { return static_cast<int>(whole_below(v - kEpsilon)); }
+  static int cell(double v) { return static_cast<int>(whole_below(v - kTiny)); }
   /// Distances are compared as their metric's power: no roots until the end.
   double powered(double d) const {
     if (m_crackle.metric == 2.0) return d * d;

@@ -5,12 +5,12 @@
 #include <cstdint>
 #include <numbers>
 
+#include "core/base/tiny.h"
 #include "core/base/whole.h"
 
 namespace lentray::core {
 namespace {
 
-constexpr double kEpsilon = 1e-10;
 constexpr double kFarthest = 1e17;  ///< coordinates beyond are clamped
 constexpr double kTwoPi = 2.0 * std::numbers::pi;
 
@@ -77,7 +77,7 @@ class BlackHoleWarp final : public Warp {
     if (!m_hole.repeats) return centre;
     int block[3] = {0, 0, 0};
     for (int axis = 0; axis < 3; ++axis) {
-      if (m_hole.repeat[axis] < kEpsilon) continue;
+      if (m_hole.repeat[axis] < kTiny) continue;
       block[axis] = whole_of(std::floor(point[axis] / m_hole.repeat[axis]));
     }
     if (m_hole.uncertain) {

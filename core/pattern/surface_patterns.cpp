@@ -4,10 +4,10 @@
 #include <cmath>
 #include <numbers>
 
+#include "core/base/tiny.h"
+
 namespace lentray::core {
 namespace {
-
-constexpr double kEpsilon = 1e-10;
 
 double ranged(double value, double low, double high) {
   const double span = high - low;
@@ -16,7 +16,7 @@ double ranged(double value, double low, double high) {
 
 /// Into 0..1; exactly 1 stays at the upper end of a map.
 double wrapped(double value, double slack) {
-  if (value >= 1.0 && value - 1.0 <= slack) return value - kEpsilon;
+  if (value >= 1.0 && value - 1.0 <= slack) return value - kTiny;
   const double rest = std::fmod(value, 1.0);
   return value < 0.0 ? 1.0 + rest : rest;
 }
@@ -44,7 +44,7 @@ class SlopePattern final : public Pattern {
         ranged((std::asin(cosine) / std::numbers::pi * 2.0 + 1.0) * 0.5, m_slope.low, m_slope.high);
     if (!m_has_altitude) return wrapped(steep, 0.0);
     const double high = ranged(dot(point, m_altitude), m_slope.altitude_low, m_slope.altitude_high);
-    return wrapped(m_slope_share * steep + m_altitude_share * high, kEpsilon);
+    return wrapped(m_slope_share * steep + m_altitude_share * high, kTiny);
   }
 
  private:

@@ -4,18 +4,17 @@
 #include <cmath>
 #include <cstdint>
 
+#include "core/base/tiny.h"
 #include "core/noise/noise.h"
 
 namespace lentray::core {
 namespace {
 
-constexpr double kEpsilon = 1e-10;
-
 class Checker final : public Pattern {
  public:
   double value(const Vec3& p) const override {
     const std::int64_t parity =
-        whole_below(p.x + kEpsilon) ^ whole_below(p.y + kEpsilon) ^ whole_below(p.z + kEpsilon);
+        whole_below(p.x + kTiny) ^ whole_below(p.y + kTiny) ^ whole_below(p.z + kTiny);
     return parity & 1 ? 1.0 : 0.0;
   }
 };
@@ -24,10 +23,10 @@ class Checker final : public Pattern {
 class Hexagon final : public Pattern {
  public:
   double value(const Vec3& p) const override {
-    constexpr double kHeight = 0.866025404;  // of the grid's rows, as rounded in stock
+    constexpr double kRow = 0.866025404;  // height of the grid's rows, as rounded in stock
     constexpr double kPeriod = 5.196152424;
     const double z = p.z < 0.0 ? kPeriod - std::fabs(p.z) : p.z;
-    const double gx = wrap(std::fabs(p.x) / 0.5), gz = wrap(z / kHeight);
+    const double gx = wrap(std::fabs(p.x) / 0.5), gz = wrap(z / kRow);
     const int column = static_cast<int>(gx), row = static_cast<int>(gz);
     static constexpr char kOuter[] = {0, 1, 1, 2, 2, 0}, kInner[] = {2, 2, 0, 0, 1, 1};
     static constexpr char kBelow[] = {0, 2, 1, 0, 2, 1}, kAbove[] = {2, 1, 0, 2, 1, 0};
@@ -92,7 +91,7 @@ class Cubic final : public Pattern {
 /// Courses of bricks; every second course is shifted by half a brick in x and z.
 class Brick final : public Pattern {
  public:
-  Brick(const Vec3& size, double mortar) : m_size(size), m_shift(kEpsilon + mortar) {
+  Brick(const Vec3& size, double mortar) : m_size(size), m_shift(kTiny + mortar) {
     m_gap = {mortar / size.x, mortar / size.y, mortar / size.z};
   }
   double value(const Vec3& p) const override {
@@ -117,7 +116,7 @@ class Brick final : public Pattern {
 class Cells final : public Pattern {
  public:
   double value(const Vec3& p) const override {
-    const auto cell = [](double v) { return static_cast<int>(whole_below(v + kEpsilon)); };
+    const auto cell = [](double v) { return static_cast<int>(whole_below(v + kTiny)); };
     return std::min(lattice_random(lattice_hash(cell(p.x), cell(p.y), cell(p.z))), 1.0);
   }
 };

@@ -9,8 +9,6 @@
 namespace lentray::core {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
-
 bool shoots(const Light& light) { return !light.shadowless && !light.grouped; }
 
 bool refracts(const Light& light, const PhotonTarget& target) {
@@ -40,7 +38,7 @@ double photon_points(const Light& light) {
 double end_of_rings(const Light& light, const PhotonTarget& target) {
   if (light.parallel) return target.radius;
   const double distance = length(target.centre - light.position);
-  return distance >= target.radius ? std::asin(target.radius / distance) : kPi;
+  return distance >= target.radius ? std::asin(target.radius / distance) : std::numbers::pi;
 }
 
 /// How many photons a target gets and leaves: half of those that are shot at it arrive. What both reflects
@@ -50,7 +48,7 @@ double guessed_photons(const Light& light, const PhotonTarget& target, double sp
   const double ways = refracted && reflects(light, target) ? 1.5 : 1.0;
   const double stays = refracted && target.collects ? ways : 0.5;
   const double across = target.radius / (target.factor * spacing);
-  return across * across * kPi * ways * stays;
+  return across * across * std::numbers::pi * ways * stays;
 }
 
 PhotonUnit make_unit(std::span<const Light> lights, std::span<const PhotonTarget> targets,
@@ -88,8 +86,8 @@ double expected_photons(std::span<const Light> lights, std::span<const PhotonUni
   double sum = 0.0;
   for (const PhotonUnit& unit : units) {
     const Light& light = lights[unit.light];
-    const double area =
-        light.parallel ? kPi * unit.end * unit.end : 2.0 * kPi * (1.0 - std::cos(unit.end));
+    const double area = light.parallel ? std::numbers::pi * unit.end * unit.end
+                                       : 2.0 * std::numbers::pi * (1.0 - std::cos(unit.end));
     sum += area / (unit.step * unit.step) * photons_at_once(light);
   }
   return sum;

@@ -10,7 +10,7 @@ namespace lentray::core {
 namespace {
 
 constexpr std::uint32_t kTile = PixelLattice::kTile;
-constexpr std::size_t kBorderJob = 1024;  ///< pixels outside the image that are traced at a time
+constexpr std::size_t kBorderPixels = 1024;  ///< pixels outside the image that are traced at a time
 
 /// Pixels of a tile that join one another: their columns, ascending.
 struct Chain {
@@ -121,7 +121,7 @@ class CentresBand final : public FilmBand {
 
   std::size_t stages() const override { return 2; }
   std::size_t jobs(std::size_t stage) const override {
-    return stage == 0 ? m_order->jobs() + (m_border.size() + kBorderJob - 1) / kBorderJob
+    return stage == 0 ? m_order->jobs() + (m_border.size() + kBorderPixels - 1) / kBorderPixels
                       : m_plan.chains.size() * ((m_bottom - m_top + kTile - 1) / kTile);
   }
   bool work(std::size_t stage, std::size_t job, FilmThread& thread) override {
@@ -149,8 +149,8 @@ class CentresBand final : public FilmBand {
       return true;
     }
     thread.pixels.clear();
-    const std::size_t first = (job - m_order->jobs()) * kBorderJob;
-    const std::size_t end = std::min(m_border.size(), first + kBorderJob);
+    const std::size_t first = (job - m_order->jobs()) * kBorderPixels;
+    const std::size_t end = std::min(m_border.size(), first + kBorderPixels);
     for (std::size_t i = first; i < end; ++i) {
       if (!thread.begins(m_border[i].first, m_border[i].second)) return false;
       trace(m_border[i].first, m_border[i].second, thread);

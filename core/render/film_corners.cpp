@@ -9,7 +9,8 @@
 namespace lentray::core {
 namespace {
 
-constexpr std::size_t kBorderJob = 1024;  ///< corners outside the image that are traced at a time
+constexpr std::size_t kBorderCorners =
+    1024;  ///< corners outside the image that are traced at a time
 /// Where the areas of pixels do not join, a pixel has its right corners to itself.
 constexpr std::uint32_t kRightCorner = ~0u;
 
@@ -20,8 +21,8 @@ struct Corner {
 };
 
 /// What all bands share.
-struct Plan {
-  Plan(FilmSetup s, const BandOrders& o)
+struct CornersPlan {
+  CornersPlan(FilmSetup s, const BandOrders& o)
       : setup(std::move(s)), orders(o), columns(traced_columns_of_corners(setup)),
         step(setup.lattice.step), places(1u << setup.antialiasing.depth),
         stride(step > 0 ? setup.region.right - setup.region.left + step
@@ -36,8 +37,8 @@ struct Plan {
 
 class CornersBand final : public FilmBand {
  public:
-  CornersBand(const Plan& plan, std::uint32_t top, std::uint32_t bottom, std::uint32_t image_top,
-              Image& image)
+  CornersBand(const CornersPlan& plan, std::uint32_t top, std::uint32_t bottom,
+              std::uint32_t image_top, Image& image)
       : m_plan(plan), m_setup(plan.setup), m_top(top), m_bottom(bottom), m_image_top(image_top),
         m_image(image), m_corner_order(plan.orders.band(top, std::min(bottom + 1, m_setup.height))),
         m_order(plan.orders.band(top, bottom)), m_corners(plan.stride * (bottom - top + 1)) {
@@ -53,7 +54,7 @@ class CornersBand final : public FilmBand {
   std::size_t stages() const override { return 2; }
   std::size_t jobs(std::size_t stage) const override {
     if (stage == 1) return m_order->jobs();
-    return m_corner_order->jobs() + (m_border.size() + kBorderJob - 1) / kBorderJob;
+    return m_corner_order->jobs() + (m_border.size() + kBorderCorners - 1) / kBorderCorners;
   }
   bool work(std::size_t stage, std::size_t job, FilmThread& thread) override {
     if (stage == 1) {
@@ -74,8 +75,8 @@ class CornersBand final : public FilmBand {
       return true;
     }
     thread.pixels.clear();
-    const std::size_t first = (job - m_corner_order->jobs()) * kBorderJob;
-    return trace_corners(m_border.data() + first, std::min(m_border.size() - first, kBorderJob),
+    const std::size_t first = (job - m_corner_order->jobs()) * kBorderCorners;
+    return trace_corners(m_border.data() + first, std::min(m_border.size() - first, kBorderCorners),
                          thread);
   }
 
@@ -218,7 +219,7 @@ class CornersBand final : public FilmBand {
     return {sum.rgb * 0.25f, sum.transmit * 0.25f};
   }
 
-  const Plan& m_plan;
+  const CornersPlan& m_plan;
   const FilmSetup& m_setup;
   const std::uint32_t m_top, m_bottom, m_image_top;
   Image& m_image;
@@ -239,7 +240,7 @@ class CornersFilm final : public Film {
   }
 
  private:
-  const Plan m_plan;
+  const CornersPlan m_plan;
 };
 
 }  // namespace

@@ -14,11 +14,6 @@
 namespace lentray::core {
 namespace {
 
-bool nearly_equal(const Vec3& a, const Vec3& b) {
-  const Vec3 d = a - b;
-  return std::fabs(d.x) <= kTiny && std::fabs(d.y) <= kTiny && std::fabs(d.z) <= kTiny;
-}
-
 /// Whether no photon can go on from it.
 bool ends_photons(const LayeredTexture& texture) {
   const auto& layers = texture.layers();

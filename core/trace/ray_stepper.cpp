@@ -14,11 +14,6 @@
 namespace lentray::core {
 namespace {
 
-bool nearly_equal(const Vec3& a, const Vec3& b) {
-  return std::fabs(a.x - b.x) <= kTiny && std::fabs(a.y - b.y) <= kTiny &&
-         std::fabs(a.z - b.z) <= kTiny;
-}
-
 std::uint32_t next_place(std::uint32_t tree_place) { return std::min(tree_place, kTreePlaces - 1); }
 
 }  // namespace

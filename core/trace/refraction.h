@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "core/base/color.h"
+#include "core/base/tiny.h"
 #include "core/base/vec3.h"
 #include "core/trace/interior_table.h"
 
@@ -23,6 +24,12 @@ struct Bend {
 /// and leaving the other one there bends nothing.
 Bend enter(const InteriorEntry& entry, double atmosphere_ior, InteriorTable& table,
            InteriorsId& inside);
+
+/// Whether each coordinate is the same but for kTiny.
+inline bool nearly_equal(const Vec3& a, const Vec3& b) {
+  return std::fabs(a.x - b.x) <= kTiny && std::fabs(a.y - b.y) <= kTiny &&
+         std::fabs(a.z - b.z) <= kTiny;
+}
 
 /// The direction behind a surface of a unit direction before it; empty on total internal reflection. `ior`:
 /// before the surface over behind it. Unit if the normal is.
