@@ -23,7 +23,7 @@ class Ladder {
     radiosity();
     photons();
     if (m.facts.subsurface_samples > 0) {
-      samples("Subsurface_Samples", "samples of subsurface light", 100.0, kRoot, 100'000, kRoot);
+      samples("Subsurface_Samples", "samples of subsurface light", 100.0, kRoot, 20'000, kRoot);
     }
     lens();
     depth();
