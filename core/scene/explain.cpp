@@ -131,6 +131,19 @@ std::string explain(const Scene& scene) {
                            << (radiosity->recursion_limit == 1 ? " bounce" : " bounces")
                            << ", error_bound " << radiosity->error_bound << '\n';
   }
+  if (const auto& photons = scene.settings().photons) {
+    line(out, "photons");
+    if (photons->count > 0) {
+      out << "count " << photons->count;
+    } else {
+      out << "spacing " << photons->spacing;
+    }
+    out << ", gather " << photons->gather_min << " to " << photons->gather_max << '\n';
+  }
+  if (const auto& subsurface = scene.settings().subsurface; subsurface && needs.subsurface) {
+    line(out, "subsurface light") << subsurface->samples_diffuse << " and "
+                                  << subsurface->samples_single << " samples\n";
+  }
 
   const Hierarchy::Shape shape = scene.hierarchy().statistics();
   const bool tree = shape.nodes > 0 || shape.objects == shape.infinite;

@@ -8,6 +8,7 @@
 #include "core/object/csg.h"
 #include "core/object/leaf.h"
 #include "core/shape/isosurface.h"
+#include "parser/base/edit.h"
 #include "parser/compile/light_scope.h"
 #include "parser/compile/lights.h"
 #include "parser/compile/photons.h"
@@ -56,6 +57,14 @@ void take_photons(const PhotonFlags& own, core::PassFlags& flags) {
   if (own.target && flags.photon_target == 0.0) flags.photon_target = own.density;
 }
 
+/// The parts of a union whose objects come to hang in the scene's list, if nobody else refers to them; else null.
+Children* sole_children(Ref<ObjectDesc>& object) {
+  if (!splits_on_list(*object) || object.use_count() != 1 || Cutaways::occur_in(*object))
+    return nullptr;
+  auto& csg = std::get<CsgShape>(edit(object).shape);
+  return csg.children.use_count() == 1 ? &edit(csg.children) : nullptr;
+}
+
 }  // namespace
 
 ObjectBuilder::ObjectBuilder(core::SceneParts& parts, TextureCompiler& textures, NotYet& not_yet)
@@ -63,7 +72,7 @@ ObjectBuilder::ObjectBuilder(core::SceneParts& parts, TextureCompiler& textures,
 
 ObjectBuilder::ObjectBuilder(NotYet& not_yet) : m_not_yet(not_yet) {}
 
-void ObjectBuilder::add(const SceneObject& object) {
+void ObjectBuilder::add(SceneObject& object) {
   m_default = object.default_texture ? object.default_texture : standard_texture();
   Inherited nothing;
   nothing.on_list = true;
@@ -72,7 +81,9 @@ void ObjectBuilder::add(const SceneObject& object) {
                                 ? m_parts->settings.radiosity->default_importance
                                 : object.default_importance;
   nothing.pass_flags = number_of({.importance = importance});
+  m_used_up = sole_children(object.object);
   add_to_list(*object.object, core::Transform(), nothing);
+  m_used_up = nullptr;
   m_last = {};
   m_moved.clear();
 }
@@ -103,6 +114,7 @@ std::unique_ptr<core::Object> ObjectBuilder::geometry(const ObjectDesc& object,
 Ref<TextureDesc> ObjectBuilder::moved(const Ref<TextureDesc>& texture,
                                       const core::Transform& transform) {
   if (!texture || transform.is_identity()) return texture;
+  if (texture.use_count() == 1) return transformed(texture, transform);  // no other part has it
   Ref<TextureDesc>& slot = m_moved[{texture, transform.rows()}];
   if (!slot) slot = transformed(texture, transform);
   return slot;
@@ -253,6 +265,14 @@ std::unique_ptr<core::Object> ObjectBuilder::build_whole(const ObjectDesc& objec
   return out;
 }
 
+/// The memory of the description and of what was kept for its textures is used again by what is built next.
+void ObjectBuilder::let_go(Ref<ObjectDesc>& child) {
+  child = nullptr;
+  constexpr long kKept = 2;  // by the compiler and here
+  if (m_last.texture.use_count() <= kKept) m_last = {};
+  m_textures->forget_unused();
+}
+
 std::unique_ptr<core::Object> ObjectBuilder::build_csg(const ObjectDesc& object,
                                                        const CsgShape& csg,
                                                        const core::Transform& to_world,
@@ -265,9 +285,12 @@ std::unique_ptr<core::Object> ObjectBuilder::build_csg(const ObjectDesc& object,
   if (looks.lights) for_children.lights = &scope;
   std::vector<std::unique_ptr<core::Object>> children;
   bool first = true;
-  for (const Ref<ObjectDesc>& child : *csg.children) {
-    auto built = build(*child, to_world, for_children);
-    const bool is_light = child->is_light();
+  const bool uses_up = csg.children.get() == m_used_up;
+  for (std::size_t i = 0; i < csg.children->size(); ++i) {
+    const ObjectDesc& child = *(*csg.children)[i];
+    auto built = build(child, to_world, for_children);
+    const bool is_light = child.is_light();
+    if (uses_up) let_go((*m_used_up)[i]);
     // What the first part of a difference would be cut from is missing: so is the whole.
     if (!built && !is_light && first && csg.operation == CsgOperation::kDifference) return nullptr;
     if (!is_light) first = false;

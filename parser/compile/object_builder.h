@@ -38,8 +38,9 @@ class ObjectBuilder {
   void set_has_hierarchy(bool has) { m_has_hierarchy = has; }
   /// Gets the places of the objects of the parts' list; null: nobody wants them.
   void set_places(ObjectPlaces* places) { m_places = places; }
-  /// One statement of the scene level: appends to the parts.
-  void add(const SceneObject& object);
+  /// One statement of the scene level: appends to the parts. Parts of a union that nobody else refers to
+  /// are let go of as soon as they are built.
+  void add(SceneObject& object);
 
   /// Geometry alone of one object; null if nothing of it is rendered.
   std::unique_ptr<core::Object> geometry(const ObjectDesc& object,
@@ -93,6 +94,7 @@ class ObjectBuilder {
   std::uint32_t pass_flags_over(std::uint32_t around, const RareParts& own);
   const core::Texture* compile(const Ref<TextureDesc>& texture);
   Ref<TextureDesc> moved(const Ref<TextureDesc>& texture, const core::Transform& transform);
+  void let_go(Ref<ObjectDesc>& child);
   void note(const std::string& feature, const Location& where) {
     m_not_yet.try_emplace(feature, where);
   }
@@ -105,6 +107,7 @@ class ObjectBuilder {
   TextLayout m_texts;
   SlopeWatches m_slope_watches;
   Ref<TextureDesc> m_default;
+  Children* m_used_up = nullptr;  ///< of the object being built, those to be let go of; null: none
   std::shared_ptr<Cutaways> m_cutaways;  ///< of the object being built; null: it has none
   /// What was compiled last, with the default as it is: most objects look like the one before.
   struct Last {

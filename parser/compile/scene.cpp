@@ -37,6 +37,12 @@ void override_radiosity(const RadiosityOverrides& instead, core::RadiositySettin
   r.recursion_limit = instead.recursion_limit.value_or(r.recursion_limit);
 }
 
+void override_photons(const PhotonOverrides& instead, core::PhotonSettings& p) {
+  if (p.count > 0 || p.spacing > 0.0) p.count = instead.count.value_or(p.count);
+  p.gather_max = instead.gather.value_or(p.gather_max);
+  p.gather_min = std::min(p.gather_min, p.gather_max);
+}
+
 core::SceneSettings build_settings(const SceneDesc& scene, const BuildOptions& options) {
   core::SceneSettings s;
   const GlobalDesc& g = scene.global;
@@ -65,9 +71,17 @@ core::SceneSettings build_settings(const SceneDesc& scene, const BuildOptions& o
   }
   if (options.quality >= kPhotonQuality) {
     s.photons = photon_settings(g, s);
-    if (s.photons) s.loaded_photons = g.loaded_photons.maps;
+    if (s.photons) {
+      override_photons(instead.photons, *s.photons);
+      s.loaded_photons = g.loaded_photons.maps;
+    }
   }
-  if (g.subsurface && options.quality >= kSubsurfaceQuality) s.subsurface = g.subsurface;
+  if (g.subsurface && options.quality >= kSubsurfaceQuality) {
+    s.subsurface = g.subsurface;
+    for (int* samples : {&s.subsurface->samples_diffuse, &s.subsurface->samples_single}) {
+      if (*samples > 0) *samples = instead.subsurface_samples.value_or(*samples);
+    }
+  }
   if (g.mm_per_unit > 0.0) s.mm_per_unit = g.mm_per_unit;
   return s;
 }

@@ -118,6 +118,9 @@ void add_light(const RenderOptions& o, Lines& out) {
   out.number("Radiosity_Error_Bound", instead.radiosity.error_bound);
   out.number("Radiosity_Nearest_Count", instead.radiosity.nearest_count);
   out.number("Radiosity_Recursion_Limit", instead.radiosity.recursion_limit);
+  out.number("Photon_Count", instead.photons.count);
+  out.number("Photon_Gather", instead.photons.gather);
+  out.number("Subsurface_Samples", instead.subsurface_samples);
   out.number("Media_Method", o.overrides.media.method);
   out.number("Media_Intervals", o.overrides.media.intervals);
   out.number("Media_Samples", o.overrides.media.samples);

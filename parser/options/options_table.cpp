@@ -406,6 +406,11 @@ template <std::optional<int> RadiosityOverrides::*member, int kMost>
 void set_radiosity(Options& o, const Given& g) {
   o.overrides.radiosity.*member = static_cast<int>(whole_number(g, 1, kMost));
 }
+template <std::optional<int> PhotonOverrides::*member>
+void set_photons(Options& o, const Given& g) {
+  constexpr int kMost = 1'000'000'000;
+  o.overrides.photons.*member = static_cast<int>(whole_number(g, 1, kMost));
+}
 void set_error_bound(Options& o, const Given& g) {
   o.overrides.radiosity.error_bound = number(g);
   if (!(*o.overrides.radiosity.error_bound > 0.0)) refuse(g, "a number greater than 0 is expected");
@@ -635,6 +640,9 @@ constexpr OptionRow kTable[] = {
     {"Radiosity_Error_Bound", "", set_error_bound},
     {"Radiosity_Nearest_Count", "", set_radiosity<&RadiosityOverrides::nearest_count, 20>},
     {"Radiosity_Recursion_Limit", "", set_radiosity<&RadiosityOverrides::recursion_limit, 20>},
+    {"Photon_Count", "", set_photons<&PhotonOverrides::count>},
+    {"Photon_Gather", "", set_photons<&PhotonOverrides::gather>},
+    {"Subsurface_Samples", "", set_override<&SceneOverrides::subsurface_samples, 1, 1'000'000>},
     {"Media_Method", "", set_media<&MediaSettings::method, 3>},
     {"Media_Intervals", "", set_media<&MediaSettings::intervals, kMostMediaSamples>},
     {"Media_Samples", "", set_media<&MediaSettings::samples, kMostMediaSamples>},

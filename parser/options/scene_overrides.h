@@ -18,9 +18,17 @@ struct RadiosityOverrides {
   std::optional<int> nearest_count, recursion_limit;  ///< 1..20
 };
 
+struct PhotonOverrides {
+  std::optional<int> count;   ///< instead of a spacing too
+  std::optional<int> gather;  ///< at most, at a point
+};
+
 struct SceneOverrides {
   MediaSettings media;
   RadiosityOverrides radiosity;
+  PhotonOverrides photons;
+  std::optional<int>
+      subsurface_samples;  ///< of light scattered many times, and of light scattered once
   std::optional<int> area_light_samples;  ///< along each axis that has more than one; 1..1000
   /// Of area lights: halvings of the grid before corners that are alike end it; -1: all samples.
   std::optional<int> area_light_adaptive;

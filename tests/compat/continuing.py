@@ -19,12 +19,12 @@ import tempfile
 import time
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
-SCENE = """#version 3.7; global_settings { assumed_gamma 1 }
+SCENE = """#version 3.7; global_settings { assumed_gamma 1 subsurface { samples 10, 10 } }
 camera { location <0, 1, -6> look_at 0 right 4/3*x }
 light_source { <-9, 12, -9> rgb 1 area_light 4*x, 4*z, LAMPS, LAMPS jitter }
 sphere { <2*clock - 1, 0, 0>, 1 pigment { rgb 1 } finish { reflection 0.3 } }
 plane { y, -1 pigment { checker rgb 1, rgb 0.3 } }
-box { <1, -1, 1>, <2, 1, 2> pigment { granite } }
+box { <1, -1, 1>, <2, 1, 2> pigment { granite } finish { subsurface { translucency 1 } } interior { ior 1.3 } }
 """
 LONG = 4.0  # seconds
 WAYS = ([], ["+A0.1", "+AM1", "+R2"], ["+A0.1", "+AM2", "+R2"], ["Lenticular=On", "+A0.2", "+AM1", "+R2"])

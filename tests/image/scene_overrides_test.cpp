@@ -90,6 +90,53 @@ TEST(ImageSceneOverridesOfRadiosity, HaveThePictureOfASceneThatSaysSo) {
   }
 }
 
+SceneText scene_overrides_glass(const std::string& settings) {
+  return {.sdl = "#version 3.7; global_settings { assumed_gamma 1 " + settings + R"( }
+camera { location <0, 3, -4> look_at <0, 0.6, 0> }
+light_source { <1, 5, -1> 1 }
+plane { y, -0.01 pigment { rgb 0.9 } }
+sphere { y, 0.6 pigment { rgbf 0.95 } interior { ior 1.5 } photons { target refraction on } }
+)",
+          .width = 60,
+          .height = 45,
+          .bits = 16};
+}
+
+TEST(ImageSceneOverridesOfPhotons, HaveThePictureOfASceneThatSaysSo) {
+  const SceneText scene = scene_overrides_glass("photons { spacing 0.05 gather 10, 90 }");
+  const StoredImage plain = lentray_render(scene);
+  for (const auto& [option, settings] :
+       {std::pair{"Photon_Count=900", "count 900 gather 10, 90"},
+        std::pair{"Photon_Gather=40", "spacing 0.05 gather 10, 40"},
+        std::pair{"Photon_Gather=7", "spacing 0.05 gather 7, 7"}}) {
+    const StoredImage by_option = lentray_render(scene, {option});
+    EXPECT_FALSE(same_bits(plain, by_option)) << option << " shows in this scene";
+    EXPECT_TRUE(same_bits(by_option, lentray_render(scene_overrides_glass(
+                                         std::string("photons { ") + settings + " }"))))
+        << option;
+  }
+}
+
+SceneText scene_overrides_marble(const std::string& samples) {
+  return {.sdl = "#version 3.7; global_settings { assumed_gamma 1 subsurface { samples " + samples +
+                 R"( } }
+camera { location -4*z look_at 0 }
+light_source { <-5, 8, -6> 1 }
+sphere { 0, 1 pigment { rgb <0.8, 0.6, 0.4> } finish { subsurface { translucency 1.5 } } interior { ior 1.4 } }
+)",
+          .width = 24,
+          .height = 18,
+          .bits = 16};
+}
+
+TEST(ImageSceneOverridesOfSubsurfaceLight, HaveThePictureOfASceneThatSaysSo) {
+  const StoredImage plain = lentray_render(scene_overrides_marble("20, 10"));
+  const StoredImage by_option =
+      lentray_render(scene_overrides_marble("20, 10"), {"Subsurface_Samples=12"});
+  EXPECT_FALSE(same_bits(plain, by_option));
+  EXPECT_TRUE(same_bits(by_option, lentray_render(scene_overrides_marble("12, 12"))));
+}
+
 TEST(ImageSceneOverridesAlone, TurnNothingOn) {
   const SceneText scene{.sdl =
                             "camera { location -4*z look_at 0 } light_source { -9*z 1 }\n"
@@ -98,7 +145,8 @@ TEST(ImageSceneOverridesAlone, TurnNothingOn) {
   EXPECT_TRUE(same_bits(
       lentray_render(scene),
       lentray_render(scene, {"Area_Light_Samples=5", "Area_Light_Adaptive=2", "Blur_Samples=9",
-                             "Max_Trace_Level=9", "Radiosity_Count=99"})));
+                             "Max_Trace_Level=9", "Radiosity_Count=99", "Photon_Count=99",
+                             "Photon_Gather=9", "Subsurface_Samples=9"})));
 }
 
 TEST(ImageAntialiasGrid, IsTheMeanOfAPictureWithMorePixels) {

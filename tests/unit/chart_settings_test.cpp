@@ -142,6 +142,8 @@ Needs
   not needed            clipping, dispersion, focal blur
   trace level           9 at most (max_trace_level 12)
   radiosity             35 rays a sample, 2 bounces, error_bound 1.8
+  photons               spacing 0.02, gather 20 to 100
+  subsurface light      50 and 40 samples
 Bounding hierarchy
 )";
 
@@ -154,6 +156,10 @@ TEST(UnitChartFacts, ComeFromTheExplanation) {
   EXPECT_EQ(f.radiosity_count, 35);
   EXPECT_EQ(f.radiosity_bounces, 2);
   EXPECT_EQ(f.radiosity_error, 1.8);
+  EXPECT_EQ(f.photon_gather, 100);
+  EXPECT_EQ(f.photon_count, 0);
+  EXPECT_EQ(f.subsurface_samples, 50);
+  EXPECT_EQ(facts_of("Needs\n  photons  count 20000, gather 10 to 60\n").photon_count, 20000);
   const SceneFacts other = facts_of(
       "Camera\n  lenticular, 60 x 45 pixels\nNeeds\n  used        fog, rainbows or media of the "
       "air\n  not needed  area lights, media\n  trace level 1 at most (max_trace_level 5)\n");
@@ -161,6 +167,8 @@ TEST(UnitChartFacts, ComeFromTheExplanation) {
   EXPECT_EQ(other.depth, 1);
   EXPECT_EQ(facts_of("").depth, 1);
   EXPECT_EQ(facts_of("").radiosity_count, 0);
+  EXPECT_EQ(facts_of("").photon_gather, 0);
+  EXPECT_EQ(facts_of("").subsurface_samples, 0);
 }
 
 TEST(UnitChartFacts, AbilitiesComeFromTheHelp) {
@@ -187,7 +195,7 @@ constexpr const char* kAllOptions =
     "Antialias_Grid=n Specialised_Paths=on|off Area_Light_Adaptive=n|off Area_Light_Samples=n "
     "Blur_Samples=n Media_Method=1|2|3 Media_Samples=n "
     "Radiosity_Count=n Radiosity_Error_Bound=n Radiosity_Nearest_Count=n "
-    "Radiosity_Recursion_Limit=n "
+    "Radiosity_Recursion_Limit=n Photon_Count=n Photon_Gather=n Subsurface_Samples=n "
     "Max_Trace_Level=n Adc_Bailout=n Lens_Rays=n Lens_Model=paraxial|pinhole|thick";
 
 MatrixRequest everything() {
@@ -243,6 +251,9 @@ TEST(UnitChartMatrix, HasEveryKindThatTheSceneUses) {
                          "radiosity-error-bound-0-25",
                          "radiosity-nearest-count-10",
                          "radiosity-recursion-limit-1",
+                         "photons-count-1000000",
+                         "photons-gather-200",
+                         "subsurface-samples-100",
                          "trace-level-2",
                          "adc-bailout-0-01",
                          "quality-5",
@@ -256,7 +267,9 @@ TEST(UnitChartMatrix, HasEveryKindThatTheSceneUses) {
                          "threads-2"}) {
     EXPECT_TRUE(has(id)) << id;
   }
-  EXPECT_FALSE(has("radiosity-count-35")) << "the scene's own";
+  for (const char* own : {"radiosity-count-35", "photons-gather-100", "subsurface-samples-50"}) {
+    EXPECT_FALSE(has(own)) << "the scene's own " << own;
+  }
   EXPECT_FALSE(has("aa-off")) << "the user's own";
   EXPECT_FALSE(has("quality-9"));
 }
@@ -266,8 +279,9 @@ TEST(UnitChartMatrix, LeavesOutWhatTheSceneHasNoUseFor) {
   r.facts = SceneFacts{};
   r.facts.objects = 5000;
   const std::vector<Setting> all = settings_of(r);
-  for (const Kind kind : {Kind::lens_model, Kind::area_light, Kind::focal_blur, Kind::media,
-                          Kind::radiosity, Kind::depth, Kind::quality, Kind::combined}) {
+  for (const Kind kind :
+       {Kind::lens_model, Kind::area_light, Kind::focal_blur, Kind::media, Kind::radiosity,
+        Kind::photons, Kind::subsurface, Kind::depth, Kind::quality, Kind::combined}) {
     EXPECT_TRUE(ids_of(all, kind).empty()) << name_of(kind);
   }
   EXPECT_FALSE(ids_of(all, Kind::antialiasing).empty());
@@ -383,12 +397,14 @@ TEST(UnitChartReference, RaisesAllThatApplies) {
   for (const char* option :
        {"Antialias_Grid=3", "Area_Light_Samples=4", "Area_Light_Adaptive=off", "Blur_Samples=64",
         "Media_Method=3", "Media_Samples=20", "Radiosity_Count=200", "Radiosity_Error_Bound=0.25",
-        "Radiosity_Recursion_Limit=3", "Max_Trace_Level=24", "Adc_Bailout=0.001", "+Q9"}) {
+        "Radiosity_Recursion_Limit=3", "Photon_Count=200000", "Photon_Gather=200",
+        "Subsurface_Samples=100", "Max_Trace_Level=24", "Adc_Bailout=0.001", "+Q9"}) {
     EXPECT_TRUE(has_option(*first, option)) << option;
   }
   for (const char* option :
        {"Antialias_Grid=4", "Area_Light_Samples=6", "Blur_Samples=128", "Media_Samples=28",
-        "Radiosity_Count=400", "Radiosity_Recursion_Limit=4", "Max_Trace_Level=48",
+        "Radiosity_Count=400", "Radiosity_Recursion_Limit=4", "Photon_Count=400000",
+        "Photon_Gather=283", "Subsurface_Samples=141", "Max_Trace_Level=48",
         "Adc_Bailout=0.0005"}) {
     EXPECT_TRUE(has_option(*second, option)) << option;
   }

@@ -26,7 +26,8 @@ ChartState full_state() {
   s.key = "k";
   s.matrix = "quick media";
   s.files = {{{"/a.pov", 18446744073709551615u}}, {"/b.inc"}};
-  s.facts = {320, 240, true, "thick", true, true, true, 40, 2, 0.5, 17, 9, 12, {7, 4}};
+  s.facts = {320, 240, true, "thick", true, true, true, 40,    2,
+             0.5, 80,  9000, 60,      17,   9,    12,   {7, 4}};
   Chart& c = s.chart;
   c.scene = "a b.pov";
   c.command = "lentray 'a b.pov'";
@@ -78,6 +79,9 @@ TEST(UnitChartState, IsReadBackAsItWas) {
   EXPECT_EQ(back.facts.radiosity_count, 40);
   EXPECT_EQ(back.facts.radiosity_bounces, 2);
   EXPECT_EQ(back.facts.radiosity_error, 0.5);
+  EXPECT_EQ(back.facts.photon_gather, 80);
+  EXPECT_EQ(back.facts.photon_count, 9000);
+  EXPECT_EQ(back.facts.subsurface_samples, 60);
 }
 
 TEST(UnitChartState, DamagedTextIsRefused) {

@@ -384,6 +384,9 @@ TEST_F(UnitParserOptions, Antialiasing) {
   expect_message({"Radiosity_Count=1601"}, "a whole number from 1 to 1600");
   expect_message({"Radiosity_Error_Bound=0"}, "a number greater than 0 is expected");
   expect_message({"Radiosity_Recursion_Limit=21"}, "a whole number from 1 to 20");
+  expect_message({"Photon_Count=0"}, "a whole number from 1 to 1000000000");
+  expect_message({"Photon_Gather=-1"}, "a whole number from 1 to 1000000000");
+  expect_message({"Subsurface_Samples=0"}, "a whole number from 1 to 1000000");
 }
 
 TEST_F(UnitParserOptions, PartsOfThePicture) {

@@ -307,4 +307,17 @@ TEST(UnitCoreScene, ExplainTellsWhatTheSceneNeeds) {
   EXPECT_EQ(text.back(), '\n');
 }
 
+TEST(UnitCoreScene, ExplainTellsHowPhotonsAndSubsurfaceLightAreSampled) {
+  SceneBuilder b;
+  b.parts.objects.push_back(b.ball(0, b.texture(0)));
+  b.parts.settings.photons = PhotonSettings{};
+  b.parts.settings.photons->spacing = 0.25;
+  b.parts.settings.subsurface = SubsurfaceSettings{};
+  const std::string text = explain(*b.compile());
+  EXPECT_NE(text.find("spacing 0.25, gather 20 to 100\n"), std::string::npos) << text;
+  EXPECT_EQ(text.find("subsurface light  "), std::string::npos) << "no finish has any";
+  b.parts.settings.photons->count = 5000;
+  EXPECT_NE(explain(*b.compile()).find("count 5000, gather"), std::string::npos);
+}
+
 }  // namespace

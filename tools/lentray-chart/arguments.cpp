@@ -40,8 +40,8 @@ std::vector<Kind> kinds(const GivenOption& given) {
     if (!kind) {
       parser::refuse(given, "'" + word +
                                 "' is no kind; there are lens_model, antialiasing, area_light, "
-                                "focal_blur, media, radiosity, depth, quality, combined, "
-                                "exact");
+                                "focal_blur, media, radiosity, photons, subsurface, depth, "
+                                "quality, combined, exact");
     }
     if (std::ranges::find(out, *kind) == out.end()) out.push_back(*kind);
   }
@@ -183,8 +183,8 @@ index.html and the pictures. Stopped, it goes on with the same command.
   --error E        names the fastest setting with at most this error (rms, in
                    1/255)
   --only KINDS     lens_model, antialiasing, area_light, focal_blur, media,
-                   radiosity, depth, quality, combined, exact; with commas
-                   between them (all that the scene has a use for)
+                   radiosity, photons, subsurface, depth, quality, combined,
+                   exact; with commas between them (all that the scene has a use for)
   --quick          fewer settings
   --repeats N      timed runs of each setting, 1 to 1000 (3); dear ones run
                    less often: twice from 10 s on, once from 60 s on

@@ -12,6 +12,8 @@ const char* name_of(Kind kind) {
     case Kind::focal_blur: return "focal_blur";
     case Kind::media: return "media";
     case Kind::radiosity: return "radiosity";
+    case Kind::photons: return "photons";
+    case Kind::subsurface: return "subsurface";
     case Kind::depth: return "depth";
     case Kind::quality: return "quality";
     case Kind::combined: return "combined";
@@ -21,9 +23,9 @@ const char* name_of(Kind kind) {
 }
 
 std::optional<Kind> kind_named(std::string_view name) {
-  for (const Kind kind :
-       {Kind::lens_model, Kind::antialiasing, Kind::area_light, Kind::focal_blur, Kind::media,
-        Kind::radiosity, Kind::depth, Kind::quality, Kind::combined, Kind::exact}) {
+  for (const Kind kind : {Kind::lens_model, Kind::antialiasing, Kind::area_light, Kind::focal_blur,
+                          Kind::media, Kind::radiosity, Kind::photons, Kind::subsurface,
+                          Kind::depth, Kind::quality, Kind::combined, Kind::exact}) {
     if (name == name_of(kind)) return kind;
   }
   return std::nullopt;

@@ -20,6 +20,8 @@ enum class Kind {
   focal_blur,    ///< samples of the aperture
   media,         ///< method, intervals, samples
   radiosity,     ///< count, error_bound, nearest_count, recursion_limit
+  photons,       ///< count, gather
+  subsurface,    ///< samples of subsurface light
   depth,         ///< max_trace_level, adc_bailout
   quality,       ///< +Q
   combined,      ///< several of those at once

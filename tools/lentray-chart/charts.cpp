@@ -21,20 +21,34 @@ struct KindLook {
   int filled, hollow;  ///< gnuplot's point types
   unsigned rgb;
   const char* css;
+  const char* symbol;  ///< of the page, in a square of 16: as gnuplot's
 };
 
+constexpr const char* kDot = "<circle cx=\"8\" cy=\"8\" r=\"5\"/>";
+constexpr const char* kSquare = "<rect x=\"3.5\" y=\"3.5\" width=\"9\" height=\"9\"/>";
+constexpr const char* kTriangle = "<path d=\"M8 2.5 13.5 12.5H2.5z\"/>";
+constexpr const char* kDiamond = "<path d=\"M8 2 14 8 8 14 2 8z\"/>";
+constexpr const char* kHanging = "<path d=\"M8 13.5 2.5 3.5h11z\"/>";
+constexpr const char* kStar = "<path d=\"M8 2v12M2.8 5l10.4 6M13.2 5 2.8 11\"/>";
+constexpr const char* kCross = "<path d=\"M3 3l10 10M13 3 3 13\"/>";
+constexpr const char* kPlus = "<path d=\"M8 2v12M2 8h12\"/>";
+constexpr const char* kPentagon = "<path d=\"M8 2l6 4.4-2.3 7H4.3L2 6.4z\"/>";
+
 /// In the order of Kind. Points of lines alone are thin where others are hollow.
-constexpr std::array<KindLook, 10> kLooks{{{7, 6, 0x0072b2, "var(--series-1)"},
-                                           {5, 4, 0xc74f00, "var(--series-2)"},
-                                           {9, 8, 0x8a6100, "var(--series-5)"},
-                                           {13, 12, 0x00795a, "var(--series-3)"},
-                                           {11, 10, 0xa3468b, "var(--series-4)"},
-                                           {3, 3, 0x5f7a00, "var(--series-9)"},
-                                           {2, 2, 0x4c6fff, "var(--series-6)"},
-                                           {1, 1, 0x5c636e, "var(--series-8)"},
-                                           {15, 14, 0xb01030, "var(--series-7)"},
-                                           {7, 6, 0x333435, "var(--text)"}}};
+constexpr std::array<KindLook, 12> kLooks{{{7, 6, 0x0072b2, "var(--series-1)", kDot},
+                                           {5, 4, 0xc74f00, "var(--series-2)", kSquare},
+                                           {9, 8, 0x8a6100, "var(--series-5)", kTriangle},
+                                           {13, 12, 0x00795a, "var(--series-3)", kDiamond},
+                                           {11, 10, 0xa3468b, "var(--series-4)", kHanging},
+                                           {3, 3, 0x5f7a00, "var(--series-9)", kStar},
+                                           {9, 8, 0x007d99, "var(--series-10)", kTriangle},
+                                           {13, 12, 0x6b3fa0, "var(--series-11)", kDiamond},
+                                           {2, 2, 0x4c6fff, "var(--series-6)", kCross},
+                                           {1, 1, 0x5c636e, "var(--series-8)", kPlus},
+                                           {15, 14, 0xb01030, "var(--series-7)", kPentagon},
+                                           {7, 6, 0x333435, "var(--text)", kDot}}};
 constexpr std::size_t kKinds = kLooks.size();
+static_assert(kKinds == static_cast<std::size_t>(Kind::exact) + 1, "each kind has its look");
 
 std::size_t place_of(Kind kind) { return static_cast<std::size_t>(kind); }
 
@@ -558,23 +572,12 @@ std::string exact_chart(const Chart& chart, Window window) {
 }
 
 std::string symbol_of(Kind kind, bool is_hollow) {
-  static constexpr std::array<const char*, 10> kShapes{
-      "<circle cx=\"8\" cy=\"8\" r=\"5\"/>",
-      "<rect x=\"3.5\" y=\"3.5\" width=\"9\" height=\"9\"/>",
-      "<path d=\"M8 2.5 13.5 12.5H2.5z\"/>",
-      "<path d=\"M8 2 14 8 8 14 2 8z\"/>",
-      "<path d=\"M8 13.5 2.5 3.5h11z\"/>",
-      "<path d=\"M8 2v12M2.8 5l10.4 6M13.2 5 2.8 11\"/>",
-      "<path d=\"M3 3l10 10M13 3 3 13\"/>",
-      "<path d=\"M8 2v12M2 8h12\"/>",
-      "<path d=\"M8 2l6 4.4-2.3 7H4.3L2 6.4z\"/>",
-      "<circle cx=\"8\" cy=\"8\" r=\"5\"/>"};
   const KindLook& look = kLooks[place_of(kind)];
   const std::string css = look.css;
   return "<svg class=\"symbol\" width=\"16\" height=\"16\" viewBox=\"0 0 16 16\" "
          "aria-hidden=\"true\" fill=\"" +
          (is_hollow ? "none" : css) + "\" stroke=\"" + css + "\" stroke-width=\"1.8\">" +
-         kShapes[place_of(kind)] + "</svg>";
+         look.symbol + "</svg>";
 }
 
 }  // namespace lentray::chart

@@ -42,14 +42,25 @@ double number_behind(const std::string& line, const std::string& words) {
   return at == std::string::npos ? 0.0 : std::strtod(line.c_str() + at + words.size(), nullptr);
 }
 
+/// The line that begins with two blanks and `label`; empty where there is none.
+std::string line_of(const std::string& text, const std::string& label) {
+  const std::size_t begin = text.find("\n  " + label + " ");
+  if (begin == std::string::npos) return "";
+  return text.substr(begin + 1, text.find('\n', begin + 1) - begin - 1);
+}
+
 /// "  radiosity  35 rays a sample, 2 bounces, error_bound 1.8"
-void look_at_radiosity(const std::string& text, SceneFacts& facts) {
-  const std::size_t begin = text.find("\n  radiosity ");
-  if (begin == std::string::npos) return;
-  const std::string line = text.substr(begin + 1, text.find('\n', begin + 1) - begin - 1);
-  facts.radiosity_count = static_cast<int>(number_behind(line, "radiosity "));
-  facts.radiosity_bounces = static_cast<int>(number_behind(line, "a sample, "));
-  facts.radiosity_error = number_behind(line, "error_bound ");
+/// "  photons  count 20000, gather 20 to 100", or "spacing 0.02, ..."
+/// "  subsurface light  50 and 50 samples"
+void look_at_global_light(const std::string& text, SceneFacts& facts) {
+  const std::string radiosity = line_of(text, "radiosity"), photons = line_of(text, "photons");
+  facts.radiosity_count = static_cast<int>(number_behind(radiosity, "radiosity "));
+  facts.radiosity_bounces = static_cast<int>(number_behind(radiosity, "a sample, "));
+  facts.radiosity_error = number_behind(radiosity, "error_bound ");
+  facts.photon_count = static_cast<int>(number_behind(photons, "count "));
+  facts.photon_gather = static_cast<int>(number_behind(photons, " to "));
+  facts.subsurface_samples =
+      static_cast<int>(number_behind(line_of(text, "subsurface light"), "subsurface light "));
 }
 
 /// The number behind a label at the beginning of a line.
@@ -98,7 +109,7 @@ SceneFacts facts_of(const std::string& explanation) {
   facts.media = used.contains("media");
   facts.objects = static_cast<std::size_t>(std::max(0L, number_of(text, "objects", 0)));
   facts.depth = static_cast<int>(number_of(text, "trace level", 1));
-  look_at_radiosity(text, facts);
+  look_at_global_light(text, facts);
   const std::size_t level = text.find("(max_trace_level ");
   if (level != std::string::npos) {
     facts.max_trace_level = std::max(1, std::atoi(text.c_str() + level + 17));
@@ -113,6 +124,10 @@ std::string noise_of(const SceneFacts& facts, bool jittered_antialiasing) {
   if (facts.focal_blur) parts.emplace_back("focal blur takes random points of the aperture");
   if (facts.media)
     parts.emplace_back("media of methods 1 and 2, or with jitter, take random samples");
+  if (facts.photon_gather > 0) parts.emplace_back("photons are strewn at random");
+  if (facts.subsurface_samples > 0) {
+    parts.emplace_back("subsurface light comes from random points of the surface");
+  }
   std::string out;
   for (const std::string& part : parts) out += (out.empty() ? "" : "; ") + part;
   return out;

@@ -31,6 +31,9 @@ struct SceneFacts {
   int radiosity_count = 0;  ///< rays of a sample; 0: no radiosity
   int radiosity_bounces = 0;
   double radiosity_error = 0.0;  ///< error_bound
+  int photon_gather = 0;         ///< at most, at a point; 0: no photons
+  int photon_count = 0;          ///< that the scene asks for; 0: it has a spacing
+  int subsurface_samples = 0;    ///< of light that is scattered many times; 0: no subsurface light
   std::size_t objects = 0;       ///< after splitting unions
   int depth = 1;                 ///< the deepest trace level that can matter
   int max_trace_level = 5;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdio>
 #include <span>
 
@@ -10,12 +11,6 @@
 
 namespace lentray::chart {
 namespace {
-
-std::string text_of(double value) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.6g", value);
-  return text;
-}
 
 /// For ids: letters, digits and - alone.
 std::string id_of(std::string text) {
@@ -47,6 +42,8 @@ class Matrix {
     if (wants(Kind::focal_blur)) focal_blur();
     if (wants(Kind::media)) media();
     if (wants(Kind::radiosity)) radiosity();
+    if (wants(Kind::photons)) photons();
+    if (wants(Kind::subsurface)) subsurface();
     if (wants(Kind::depth)) depth();
     if (wants(Kind::quality)) quality();
     if (wants(Kind::exact)) exact();
@@ -71,7 +68,7 @@ class Matrix {
              const std::vector<double>& values) {
     if (!m.abilities.has(name)) return;
     for (const double value : values) {
-      const std::string text = text_of(value);
+      const std::string text = number_text(value);
       add(kind, id + "-" + text, label + " " + text, {name + "=" + text});
     }
   }
@@ -88,9 +85,9 @@ class Matrix {
     }
     if (!m.abilities.has("Lens_Rays")) return;
     for (const double rays : some({4, 16, 64}, {16})) {
-      add(Kind::lens_model, "lens-thick-" + text_of(rays),
-          "lens model thick, " + text_of(rays) + " rays a pixel",
-          {"Lens_Model=thick", "Lens_Rays=" + text_of(rays)});
+      add(Kind::lens_model, "lens-thick-" + number_text(rays),
+          "lens model thick, " + number_text(rays) + " rays a pixel",
+          {"Lens_Model=thick", "Lens_Rays=" + number_text(rays)});
     }
   }
 
@@ -124,7 +121,7 @@ class Matrix {
     for (const Sampling& s : samplings()) {
       if (is_own(s)) continue;
       const std::string method = std::to_string(s.method), depth = std::to_string(s.depth),
-                        threshold = text_of(s.threshold);
+                        threshold = number_text(s.threshold);
       add(Kind::antialiasing,
           "aa-method" + method + "-depth" + depth + "-threshold" + threshold +
               (s.jitter ? "-jitter" : ""),
@@ -134,7 +131,7 @@ class Matrix {
     }
     if (!m.abilities.has("Antialias_Grid")) return;
     for (const double depth : some({2, 3, 4, 8}, {2, 4})) {
-      const std::string text = text_of(depth);
+      const std::string text = number_text(depth);
       add(Kind::antialiasing, "aa-grid" + text,
           "antialiasing, " + text + " x " + text + " samples in every pixel",
           {"Antialias_Grid=" + text});
@@ -194,6 +191,25 @@ class Matrix {
          some({2, 1, 0.5, 0.25, 0.12}, {1, 0.25}));
     each("Nearest_Count", "nearest count", 0, some({1, 4, 10, 20}, {10}));
     each("Recursion_Limit", "recursion limit", facts.radiosity_bounces, some({1, 2, 3, 5}, {1, 3}));
+  }
+
+  void photons() {
+    const SceneFacts& facts = m.facts;
+    if (facts.photon_gather == 0) return;
+    std::vector<double> counts = some({1e3, 1e4, 1e5, 1e6}, {1e3, 1e5});
+    std::vector<double> gathers = some({25, 50, 100, 200, 400}, {50, 200});
+    std::erase(counts, facts.photon_count);
+    std::erase(gathers, facts.photon_gather);
+    sweep(Kind::photons, "Photon_Count", "photons-count", "photons, count", counts);
+    sweep(Kind::photons, "Photon_Gather", "photons-gather", "photons, gathered", gathers);
+  }
+
+  void subsurface() {
+    if (m.facts.subsurface_samples == 0) return;
+    std::vector<double> samples = some({10, 20, 50, 100, 200, 400}, {20, 200});
+    std::erase(samples, m.facts.subsurface_samples);
+    sweep(Kind::subsurface, "Subsurface_Samples", "subsurface-samples", "subsurface light, samples",
+          samples);
   }
 
   void depth() {
@@ -274,12 +290,19 @@ std::vector<const Point*> levels_of(const std::vector<Point>& points, Kind kind)
 
 }  // namespace
 
+std::string number_text(double value) {
+  char text[32];
+  std::snprintf(text, sizeof text, value == std::floor(value) ? "%.0f" : "%.6g", value);
+  return text;
+}
+
 std::vector<Setting> settings_of(const MatrixRequest& request) { return Matrix(request).all(); }
 
 std::vector<Setting> combined_settings(const std::vector<Point>& points, bool quick) {
   std::vector<std::vector<const Point*>> kinds;
-  for (const Kind kind : {Kind::antialiasing, Kind::area_light, Kind::focal_blur, Kind::media,
-                          Kind::radiosity, Kind::depth, Kind::quality}) {
+  for (const Kind kind :
+       {Kind::antialiasing, Kind::area_light, Kind::focal_blur, Kind::media, Kind::radiosity,
+        Kind::photons, Kind::subsurface, Kind::depth, Kind::quality}) {
     std::vector<const Point*> levels = levels_of(points, kind);
     if (levels.empty()) continue;
     levels.insert(levels.begin(), nullptr);  // as the user has it

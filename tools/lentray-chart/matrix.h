@@ -2,6 +2,7 @@
 // those that change the time alone. Pure functions.
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include "parser/options/options.h"
@@ -18,6 +19,9 @@ struct MatrixRequest {
   bool quick = false;
   int processors = 1;  ///< of the machine
 };
+
+/// As options take it, of six digits; whole numbers have all of theirs.
+std::string number_text(double value);
 
 /// The plain setting first, then all single ones. Settings that would repeat the user's own options are left out.
 std::vector<Setting> settings_of(const MatrixRequest& request);

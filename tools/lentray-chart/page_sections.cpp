@@ -14,8 +14,8 @@ namespace {
 using tool::html_text;
 
 constexpr Kind kKinds[] = {Kind::lens_model, Kind::antialiasing, Kind::area_light, Kind::focal_blur,
-                           Kind::media,      Kind::radiosity,    Kind::depth,      Kind::quality,
-                           Kind::combined,   Kind::exact};
+                           Kind::media,      Kind::radiosity,    Kind::photons,    Kind::subsurface,
+                           Kind::depth,      Kind::quality,      Kind::combined,   Kind::exact};
 
 std::string format(const char* pattern, double value) {
   char buffer[48];

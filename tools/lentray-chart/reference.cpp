@@ -3,18 +3,11 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdio>
 #include <numbers>
 #include <span>
 
 namespace lentray::chart {
 namespace {
-
-std::string text_of(double value) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.6g", value);
-  return text;
-}
 
 /// Puts a step together of the ladders of its kinds.
 class Ladder {
@@ -28,6 +21,10 @@ class Ladder {
     if (m.facts.focal_blur) samples("Blur_Samples", "blur samples", 64.0, 2.0, 32768, 2.0);
     media();
     radiosity();
+    photons();
+    if (m.facts.subsurface_samples > 0) {
+      samples("Subsurface_Samples", "samples of subsurface light", 100.0, kRoot, 20'000, kRoot);
+    }
     lens();
     depth();
     m_out.options.emplace_back("+Q9");
@@ -74,7 +71,7 @@ class Ladder {
     const auto at = [&](int step) {
       return std::min(std::round(first * std::pow(factor, step)), double(most));
     };
-    const std::string number = text_of(at(m_step));
+    const std::string number = number_text(at(m_step));
     m_out.options.push_back(std::string(option) + "=" + number);
     say(number + " " + label);
     grow(at(m_step) > at(m_step - 1), work);
@@ -99,12 +96,20 @@ class Ladder {
     samples("Radiosity_Count", "rays of a sample of radiosity", 200.0, 2.0, 1600, 2.0);
     constexpr int kMostSteps = 6;  ///< an error bound of 0.03
     const int bounces = std::min(m.facts.radiosity_bounces + 1 + m_step, 20);
-    const std::string error = text_of(0.25 * std::pow(1.0 / kRoot, std::min(m_step, kMostSteps)));
+    const std::string error =
+        number_text(0.25 * std::pow(1.0 / kRoot, std::min(m_step, kMostSteps)));
     m_out.options.insert(m_out.options.end(),
                          {"Radiosity_Error_Bound=" + error, "Radiosity_Nearest_Count=10",
                           "Radiosity_Recursion_Limit=" + std::to_string(bounces)});
     say("error bound " + error + ", " + std::to_string(bounces) + " bounces");
     grow(m_step <= kMostSteps, 2.0);
+  }
+
+  /// More photons, of which more are gathered in less space.
+  void photons() {
+    if (m.facts.photon_gather == 0) return;
+    samples("Photon_Count", "photons", 200'000.0, 2.0, 1'000'000'000, 2.0);
+    samples("Photon_Gather", "of them gathered", 200.0, kRoot, 10'000, kRoot);
   }
 
   void lens() {
@@ -125,12 +130,12 @@ class Ladder {
       return std::min(256.0, m.facts.max_trace_level * std::pow(2.0, step + 1));
     };
     if (m.abilities.has("Max_Trace_Level")) {
-      m_out.options.push_back("Max_Trace_Level=" + text_of(at(m_step)));
-      say("trace level " + text_of(at(m_step)));
+      m_out.options.push_back("Max_Trace_Level=" + number_text(at(m_step)));
+      say("trace level " + number_text(at(m_step)));
       grow(at(m_step) > at(m_step - 1), 1.2);
     }
     if (m.abilities.has("Adc_Bailout")) {
-      const std::string bailout = text_of(0.001 * std::pow(0.5, m_step));
+      const std::string bailout = number_text(0.001 * std::pow(0.5, m_step));
       m_out.options.push_back("Adc_Bailout=" + bailout);
       say("adc bailout " + bailout);
     }

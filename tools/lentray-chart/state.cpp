@@ -113,6 +113,9 @@ json json_of(const SceneFacts& f) {
           {"radiosity_count", f.radiosity_count},
           {"radiosity_bounces", f.radiosity_bounces},
           {"radiosity_error", f.radiosity_error},
+          {"photon_gather", f.photon_gather},
+          {"photon_count", f.photon_count},
+          {"subsurface_samples", f.subsurface_samples},
           {"objects", f.objects},
           {"depth", f.depth},
           {"max_trace_level", f.max_trace_level},
@@ -131,6 +134,9 @@ SceneFacts facts_in(const json& j) {
   j.at("radiosity_count").get_to(f.radiosity_count);
   j.at("radiosity_bounces").get_to(f.radiosity_bounces);
   j.at("radiosity_error").get_to(f.radiosity_error);
+  j.at("photon_gather").get_to(f.photon_gather);
+  j.at("photon_count").get_to(f.photon_count);
+  j.at("subsurface_samples").get_to(f.subsurface_samples);
   j.at("objects").get_to(f.objects);
   j.at("depth").get_to(f.depth);
   j.at("max_trace_level").get_to(f.max_trace_level);
