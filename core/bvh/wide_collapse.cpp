@@ -33,18 +33,15 @@ WideCollapse::WideCollapse(std::span<const Branch> tree) : m_tree(tree), m_plans
 /// Leaves cost nothing: they are the same whatever is above them.
 WideCollapse::Plan WideCollapse::planned(const Branch& branch) const {
   const Plan &left = m_plans[branch.left()], &right = m_plans[branch.right()];
-  const int left_width = left.width(), right_width = right.width();
+  const int left_width = std::min(left.width(), kMost - 1),
+            right_width = std::min(right.width(), kMost - 1),
+            width = std::min(left_width + right_width, kMost);
   Plan plan;
-  plan.set_width(std::min(left_width + right_width, kMost - 1));
+  plan.set_width(width);
   float open[kMost + 1];  // by slots, without a node of its own
-  for (int slots = 2; slots <= kMost; ++slots) {
+  for (int slots = 2; slots <= width; ++slots) {
     const int most = std::min(slots - 1, left_width);
     int best = std::max(1, slots - right_width);
-    if (best > most) {  // more than both have a use of
-      open[slots] = open[slots - 1];
-      plan.set_left(slots, most);
-      continue;
-    }
     float least = left.cost[best - 1] + right.cost[slots - best - 1];
     for (int lefts = best + 1; lefts <= most; ++lefts) {
       const float cost = left.cost[lefts - 1] + right.cost[slots - lefts - 1];
@@ -55,9 +52,9 @@ WideCollapse::Plan WideCollapse::planned(const Branch& branch) const {
     open[slots] = least;
     plan.set_left(slots, best);
   }
-  const float own = branch.box().surface() + open[kMost];
+  const float own = branch.box().surface() + open[width];
   plan.cost[0] = own;
-  for (int slots = 2; slots < kMost; ++slots) {
+  for (int slots = 2; slots <= std::min(width, kMost - 1); ++slots) {
     plan.cost[slots - 1] = std::min(own, open[slots]);
     if (!(own < open[slots])) plan.set_opens(slots);
   }

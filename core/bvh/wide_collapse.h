@@ -3,6 +3,7 @@
 // Source: Ylitie, Karras and Laine, "Efficient Incoherent Ray Traversal on GPUs Through Compressed Wide BVHs", 2017.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -24,14 +25,16 @@ class WideCollapse {
   /// node of its own. As it is at first: a leaf's.
   class Plan {
    public:
-    float cost[kMost - 1] = {};
+    float cost[kMost - 1] = {};  ///< up to the width
 
-    /// Slots of which it has a use.
+    /// Slots of which it has a use, up to 8: more are as good as these.
     int width() const { return 1 + static_cast<int>(m_bits >> 28 & 7); }
     /// Of 1 .. 7 slots: whether it does without.
-    bool opens(int slots) const { return (m_bits >> (20 + slots) & 1) != 0; }
+    bool opens(int slots) const { return (m_bits >> (20 + std::min(slots, width())) & 1) != 0; }
     /// Of 2 .. 8 slots: how many of them its left side gets.
-    int left(int slots) const { return static_cast<int>(m_bits >> 3 * (slots - 2) & 7); }
+    int left(int slots) const {
+      return static_cast<int>(m_bits >> 3 * (std::min(slots, width()) - 2) & 7);
+    }
     void set_width(int width) { m_bits |= static_cast<std::uint32_t>(width - 1) << 28; }
     void set_opens(int slots) { m_bits |= 1u << (20 + slots); }
     void set_left(int slots, int lefts) {
