@@ -316,6 +316,7 @@ Hierarchy::Impl::Impl(const std::vector<std::unique_ptr<Object>>& objects, Accel
   }
   if ((any_flags & (kNoShadow | kTransparent)) != 0) {
     ObjectList casters, filtering;
+    casters.reserve(listed.entries.size());
     for (std::size_t i = 0; i < listed.entries.size(); ++i) {
       const ObjectEntry& entry = listed.entries[i];
       if (entry.flags & kNoShadow) continue;

@@ -11,6 +11,8 @@
 #include <new>
 #include <stdexcept>
 
+#include "core/bvh/wide_collapse.h"
+
 namespace lentray::core {
 void WideLimits::approach(Vec3& o, const Vec3& d, double& error, bool has_far) {
   const double far = std::max({std::fabs(o.x), std::fabs(o.y), std::fabs(o.z)});
@@ -63,26 +65,6 @@ WideRay::WideRay(const Ray& ray, const WideFrame& frame) {
 
 namespace {
 
-/// A box in the tree's frame, in floats as the nodes have them; lows negated, so that one maximum
-/// joins boxes. Lane 3 is anything but a small or no number.
-struct FloatBox {
-  Float4 low = simd::float4(-std::numeric_limits<float>::infinity());
-  Float4 high = low;
-
-  void include(const FloatBox& b) {
-    low = simd::max(low, b.low);
-    high = simd::max(high, b.high);
-  }
-  /// Half of it; not of an empty box.
-  float surface() const {
-    const Float4 d = simd::min(high + low, simd::float4(1e18f));  // its square is a float
-    const Float4 products = d * simd::shuffled<1, 2, 0, 3>(d);
-    return products[0] + products[1] + products[2];
-  }
-  /// Twice its middle.
-  Float4 middle() const { return high - low; }
-};
-
 /// A part while the tree is built: its box, whose lanes 3 hold the part's index and kind.
 struct Item {
   FloatBox box;
@@ -105,12 +87,6 @@ Item item_of(const Bounds& bounds, const WideFrame& frame, std::uint32_t part, s
       Float4{high(hi.x), high(hi.y), high(hi.z), std::bit_cast<float>(Item::kNumber | kind)};
   return item;
 }
-
-struct Branch {
-  FloatBox box;
-  std::uint32_t left, right;  ///< branches, if count is 0
-  std::uint32_t first, count;
-};
 
 /// An array that is not touched before it is used.
 template <class T>
@@ -136,7 +112,7 @@ class BinaryBuilder {
                 const WideFrame& frame, const WideBvh::Options& options);
 
   std::uint32_t run() { return split(0, m_count, 0, m_all, m_alike); }
-  const Branch& operator[](std::uint32_t i) const { return m_branches[i]; }
+  std::span<const Branch> branches() const { return {&m_branches[0], m_used}; }
   std::uint32_t part_at(std::uint32_t place) const { return m_items[place].part(); }
   /// When nobody asks for part_at() any more.
   void drop_items() { m_items = Untouched<Item>(0); }
@@ -337,7 +313,8 @@ std::uint32_t BinaryBuilder::split(std::uint32_t first, std::uint32_t count, int
                                    const Extent& extent, bool alike) {
   const std::uint32_t self = m_used.fetch_add(1);
   Branch& branch = m_branches[self];
-  branch = {extent.box, 0, 0, first, count};
+  branch.set_box(extent.box);
+  branch.set_leaf(first, count);
   if (count == 1) return self;
   alike = alike || one_kind(first, count);
   const auto kind = kind_of(m_items[first]);
@@ -365,10 +342,9 @@ std::uint32_t BinaryBuilder::split(std::uint32_t first, std::uint32_t count, int
 #else
   constexpr std::uint32_t kParallel = 4096;
 #endif
-  branch.count = 0;
-  const auto do_left = [&] { branch.left = split(first, lefts, depth + 1, left, alike); };
+  const auto do_left = [&] { branch.set_left(split(first, lefts, depth + 1, left, alike)); };
   const auto do_right = [&] {
-    branch.right = split(first + lefts, count - lefts, depth + 1, right, alike);
+    branch.set_right(split(first + lefts, count - lefts, depth + 1, right, alike));
   };
   if (count > kParallel) {
     tbb::parallel_invoke(do_left, do_right);
@@ -377,109 +353,6 @@ std::uint32_t BinaryBuilder::split(std::uint32_t first, std::uint32_t count, int
     do_right();
   }
   return self;
-}
-
-/// Gathers the binary tree into nodes of eight, the largest branches opened first.
-class WideCollapser {
- public:
-  WideCollapser(const BinaryBuilder& tree, std::vector<WideNode>& nodes,
-                WideBvh::Statistics& statistics)
-      : m_tree(tree), m_nodes(nodes), m_statistics(statistics) {}
-
-  void emit(std::uint32_t root);
-
- private:
-  /// A node before its boxes are copied. How many there are is known first: the nodes are large, and
-  /// copies of a growing list of them cost more than all else here.
-  struct Plan {
-    std::uint32_t branch[WideNode::kWidth];
-    std::uint32_t child[WideNode::kWidth];  ///< as the node has it
-    int used = 0;
-  };
-  Plan planned(std::uint32_t root) const;
-  std::uint32_t plan(std::uint32_t root, int depth);
-  static void set_box(WideNode& node, int slot, const FloatBox& box);
-
-  const BinaryBuilder& m_tree;
-  std::vector<WideNode>& m_nodes;
-  WideBvh::Statistics& m_statistics;
-  std::vector<Plan> m_plans;  ///< one a node
-};
-
-void WideCollapser::set_box(WideNode& node, int slot, const FloatBox& box) {
-  alignas(16) float low[4], high[4];
-  simd::store(low, box.low);
-  simd::store(high, box.high);
-  for (int a = 0; a < 3; ++a) {
-    node.planes[a][0][slot] = -low[a];
-    node.planes[a][1][slot] = high[a];
-  }
-}
-
-WideCollapser::Plan WideCollapser::planned(std::uint32_t root) const {
-  Plan out;
-  float areas[WideNode::kWidth];
-  const auto add = [&](int slot, std::uint32_t branch) {
-    out.branch[slot] = branch;
-    areas[slot] = m_tree[branch].count == 0 ? m_tree[branch].box.surface() : -1.0f;
-  };
-  if (m_tree[root].count > 0) {
-    add(out.used++, root);
-  } else {
-    add(out.used++, m_tree[root].left);
-    add(out.used++, m_tree[root].right);
-  }
-  while (out.used < WideNode::kWidth) {
-    int largest = 0;
-    for (int i = 1; i < out.used; ++i) {
-      if (areas[i] > areas[largest]) largest = i;
-    }
-    if (areas[largest] < 0.0f) break;
-    const Branch& open = m_tree[out.branch[largest]];
-    add(largest, open.left);
-    add(out.used++, open.right);
-  }
-  return out;
-}
-
-std::uint32_t WideCollapser::plan(std::uint32_t root, int depth) {
-  const auto self = static_cast<std::uint32_t>(m_plans.size());
-  const Plan made = planned(root);
-  m_plans.push_back(made);
-  m_statistics.depth = std::max(m_statistics.depth, depth);
-  for (int i = 0; i < made.used; ++i) {
-    const Branch& b = m_tree[made.branch[i]];
-    std::uint32_t child = 0;
-    if (b.count > 0) {
-      child = WideNode::kLeaf | b.count << WideNode::kFirstBits | b.first;
-      ++m_statistics.leaves;
-    } else {
-      child = plan(made.branch[i], depth + 1);
-    }
-    m_plans[self].child[i] = child;
-  }
-  return self;
-}
-
-void WideCollapser::emit(std::uint32_t root) {
-  plan(root, 1);
-  m_nodes.reserve(m_plans.size());
-  for (const Plan& plan : m_plans) {
-    WideNode& node = m_nodes.emplace_back();
-    node.used = static_cast<std::uint32_t>(plan.used);
-    for (int i = 0; i < WideNode::kWidth; ++i) {
-      const bool taken = i < plan.used;
-      node.child[i] = taken ? plan.child[i] : WideNode::kLeaf;
-      if (taken) {
-        set_box(node, i, m_tree[plan.branch[i]].box);
-        continue;
-      }
-      for (int a = 0; a < 3; ++a) {
-        node.planes[a][0][i] = 64.0f;
-        node.planes[a][1][i] = -64.0f;
-      }
-    }
-  }
 }
 
 double reach_from(const Vec3& middle, const Bounds& box) {
@@ -552,12 +425,11 @@ void WideBvh::build(std::span<const Bounds> boxes, const Options& options,
   }
   m_frame = frame_of(bulk_of(boxes, m_order, m_bounds), m_bounds);
   BinaryBuilder builder(boxes, m_order, m_frame, options);
-  if (own) *own = {};
+  if (own) *own = std::vector<Bounds>();  // `= {}` would keep the memory
   const std::uint32_t root = builder.run();
   for (std::uint32_t i = 0; i < m_order.size(); ++i) m_order[i] = builder.part_at(i);
   builder.drop_items();  // the memory serves what is made next
-  WideCollapser(builder, m_nodes, m_statistics).emit(root);
-  m_statistics.nodes = m_nodes.size();
+  WideCollapse(builder.branches()).make(root, m_nodes, m_statistics);
   m_statistics.parts = m_order.size();
 }
 

@@ -188,7 +188,7 @@ class WideBvh {
   /// may keep their parts in that order and use places directly.
   const std::vector<std::uint32_t>& order() const { return m_order; }
   /// Who has placed the parts and relabelled the leaves needs it no more.
-  void drop_order() { m_order = {}; }
+  void drop_order() { m_order = std::vector<std::uint32_t>(); }
   const Bounds& bounds() const { return m_bounds; }
   bool empty() const { return m_nodes.empty(); }
   std::size_t memory() const;

@@ -258,12 +258,12 @@ struct Csg::Hidden {
 }
 
 /// Whether the child's surface at the ray's t belongs to the whole's, as far as the ray sees it.
+template <bool kHides>
 [[gnu::always_inline]] inline bool Csg::keeps(std::size_t child, const Ray& ray, double t,
                                               const Chord* chord, Hidden& hidden,
                                               const RayQuery& query) const {
   if (m_kind == CsgKind::kUnion) return true;
-  if (m_core == kHidden) [[unlikely]]
-    return !any_seen_inside(ray.at(t), child, query.kind);
+  if (kHides) return !any_seen_inside(ray.at(t), child, query.kind);
   if (m_kind == CsgKind::kMerge) {
     if (!any_inside(ray.at(t), child)) return true;
   } else {
@@ -275,10 +275,10 @@ struct Csg::Hidden {
 
 /// Those whose box the ray meets, the core and then the last child first where they are few; visit may
 /// lower t_max, and answers true to end. `chord` is null where nothing is known.
-template <class Visit>
+template <bool kHides, class Visit>
 void Csg::for_children_met(const Ray& ray, double t_min, double t_max, const RayQuery& query,
                            Visit&& visit) const {
-  if (m_core == kHidden) [[unlikely]] {
+  if constexpr (kHides) {
     return for_boxes_met(ray, t_min, t_max, [&](std::size_t i, double& limit, const Chord* chord) {
       return !is_unseen(i, query.kind) && visit(i, limit, chord);
     });
@@ -376,7 +376,7 @@ template <class Visit>
     const std::size_t part = std::exchange(hit.place, 0);
     if (!overlap.may_hold(hit.t, slack)) continue;
     if (!overlap.surely_holds(part, hit.t, slack) &&
-        !keeps(part, ray, hit.t, nullptr, hidden, query)) {
+        !keeps<false>(part, ray, hit.t, nullptr, hidden, query)) {
       continue;
     }
     if (visit(part, hit)) return;
@@ -402,21 +402,33 @@ bool Csg::nearest(const Ray& ray, double t_min, double t_max, Hit& hit,
 /// Nearest before own clips. Where surfaces coincide the last child's counts.
 bool Csg::kept_nearest(const Ray& ray, double t_min, double t_max, Hit& hit,
                        const RayQuery& query) const {
+  if (is_special()) [[unlikely]]
+    return special_nearest(ray, t_min, t_max, hit, query);
+  return nearest_of_parts<false>(ray, t_min, t_max, hit, query);
+}
+
+[[gnu::noinline]] bool Csg::special_nearest(const Ray& ray, double t_min, double t_max, Hit& hit,
+                                            const RayQuery& query) const {
+  if (m_core == kHidden) return nearest_of_parts<true>(ray, t_min, t_max, hit, query);
+  std::size_t owner = kNobody;
+  for_kept_of_overlap(ray, t_min, t_max, query, [&](std::size_t part, const Hit& next) {
+    if (!(next.t < t_max || (next.t == t_max && owner != kNobody && part > owner))) return false;
+    hit = next;
+    t_max = next.t;
+    owner = part;
+    return false;
+  });
+  return owner != kNobody;
+}
+
+template <bool kHides>
+[[gnu::always_inline]] inline bool Csg::nearest_of_parts(const Ray& ray, double t_min, double t_max,
+                                                         Hit& hit, const RayQuery& query) const {
   const bool keep_all = m_kind == CsgKind::kUnion;
   std::size_t owner = kNobody;
-  if (m_core == kOverlap) [[unlikely]] {
-    for_kept_of_overlap(ray, t_min, t_max, query, [&](std::size_t part, const Hit& next) {
-      if (!(next.t < t_max || (next.t == t_max && owner != kNobody && part > owner))) return false;
-      hit = next;
-      t_max = next.t;
-      owner = part;
-      return false;
-    });
-    return owner != kNobody;
-  }
   Hidden hidden;
   ScratchHits scratch(query.arena);
-  for_children_met(ray, t_min, t_max, query, [&](std::size_t i, double& limit, const Chord* chord) {
+  const auto visit = [&](std::size_t i, double& limit, const Chord* chord) {
     const bool wins_ties = owner != kNobody && i > owner;
     const double to = wins_ties ? std::nextafter(limit, Bounds::kInf) : limit;
     if (keep_all) {
@@ -429,38 +441,52 @@ bool Csg::kept_nearest(const Ray& ray, double t_min, double t_max, Hit& hit,
     }
     double best = to;
     for (const Hit& next : crossings(i, ray, t_min, to, chord, *scratch, query)) {
-      if (!(next.t < best) || !keeps(i, ray, next.t, chord, hidden, query)) continue;
+      if (!(next.t < best) || !keeps<kHides>(i, ray, next.t, chord, hidden, query)) continue;
       hit = next;
       best = limit = next.t;
       owner = i;
     }
     return false;
-  });
+  };
+  for_children_met<kHides>(ray, t_min, t_max, query, visit);
   return owner != kNobody;
 }
 
 bool Csg::any(const Ray& ray, double t_min, double t_max, const RayQuery& query) const {
   if (ball().is_missed_by(ray)) return false;
   if (!gates().empty() && !passes_gates(ray, query)) return false;
+  if (is_special()) [[unlikely]]
+    return special_any(ray, t_min, t_max, query);
+  return any_of_parts<false>(ray, t_min, t_max, query);
+}
+
+[[gnu::noinline]] bool Csg::special_any(const Ray& ray, double t_min, double t_max,
+                                        const RayQuery& query) const {
+  if (m_core == kHidden) return any_of_parts<true>(ray, t_min, t_max, query);
+  bool found = false;
+  for_kept_of_overlap(ray, t_min, t_max, query, [&](std::size_t, const Hit& h) {
+    return found = h.t < t_max && passes_clips(ray.at(h.t));
+  });
+  return found;
+}
+
+template <bool kHides>
+[[gnu::always_inline]] inline bool Csg::any_of_parts(const Ray& ray, double t_min, double t_max,
+                                                     const RayQuery& query) const {
   const bool keep_all = m_kind == CsgKind::kUnion && clips().empty();
   bool found = false;
-  if (m_core == kOverlap) [[unlikely]] {
-    for_kept_of_overlap(ray, t_min, t_max, query, [&](std::size_t, const Hit& h) {
-      return found = h.t < t_max && passes_clips(ray.at(h.t));
-    });
-    return found;
-  }
   Hidden hidden;
   ScratchHits scratch(query.arena);
-  for_children_met(ray, t_min, t_max, query, [&](std::size_t i, double&, const Chord* chord) {
+  const auto visit = [&](std::size_t i, double&, const Chord* chord) {
     if (keep_all) return found = m_children[i]->any(ray, t_min, t_max, query);
     for (const Hit& h : crossings(i, ray, t_min, t_max, chord, *scratch, query)) {
       if (chord && !(h.t < t_max)) continue;
-      if (keeps(i, ray, h.t, chord, hidden, query) && passes_clips(ray.at(h.t)))
+      if (keeps<kHides>(i, ray, h.t, chord, hidden, query) && passes_clips(ray.at(h.t)))
         return found = true;
     }
     return false;
-  });
+  };
+  for_children_met<kHides>(ray, t_min, t_max, query, visit);
   return found;
 }
 
@@ -468,26 +494,39 @@ void Csg::all(const Ray& ray, double t_min, double t_max, std::vector<Hit>& hits
               const RayQuery& query) const {
   if (ball().is_missed_by(ray)) return;
   if (!gates().empty() && !passes_gates(ray, query)) return;
-  if (m_core == kOverlap) [[unlikely]] {
-    return for_kept_of_overlap(ray, t_min, t_max, query, [&](std::size_t, const Hit& h) {
-      if (h.t < t_max && passes_clips(ray.at(h.t))) hits.push_back(h);
-      return false;
-    });
-  }
+  if (is_special()) [[unlikely]]
+    return special_all(ray, t_min, t_max, hits, query);
+  all_of_parts<false>(ray, t_min, t_max, hits, query);
+}
+
+[[gnu::noinline]] void Csg::special_all(const Ray& ray, double t_min, double t_max,
+                                        std::vector<Hit>& hits, const RayQuery& query) const {
+  if (m_core == kHidden) return all_of_parts<true>(ray, t_min, t_max, hits, query);
+  for_kept_of_overlap(ray, t_min, t_max, query, [&](std::size_t, const Hit& h) {
+    if (h.t < t_max && passes_clips(ray.at(h.t))) hits.push_back(h);
+    return false;
+  });
+}
+
+template <bool kHides>
+[[gnu::always_inline]] inline void Csg::all_of_parts(const Ray& ray, double t_min, double t_max,
+                                                     std::vector<Hit>& hits,
+                                                     const RayQuery& query) const {
   Hidden hidden;
-  for_children_met(ray, t_min, t_max, query, [&](std::size_t i, double&, const Chord* chord) {
+  const auto visit = [&](std::size_t i, double&, const Chord* chord) {
     // Where nothing can be dropped the child's hits need no list of their own.
     const std::size_t first = hits.size();
     m_children[i]->all(ray, t_min, t_max, hits, query);
     if (m_kind == CsgKind::kUnion && clips().empty()) return false;
     const auto drop = [&](const Hit& h) {
-      return !keeps(i, ray, h.t, chord, hidden, query) ||
+      return !keeps<kHides>(i, ray, h.t, chord, hidden, query) ||
              (!clips().empty() && !passes_clips(ray.at(h.t)));
     };
     hits.erase(std::remove_if(hits.begin() + static_cast<std::ptrdiff_t>(first), hits.end(), drop),
                hits.end());
     return false;
-  });
+  };
+  for_children_met<kHides>(ray, t_min, t_max, query, visit);
 }
 
 }  // namespace lentray::core

@@ -66,9 +66,10 @@ class Csg final : public Object {
   struct Hidden;
   static constexpr std::size_t kNobody = ~std::size_t{0};
   static constexpr std::size_t kHidden = kNobody - 1, kOverlap = kNobody - 2;
+  bool is_special() const { return m_core - kOverlap < 2; }
 
   /// Calls visit(child, t_max&, chord) for the children that the ray may meet.
-  template <class Visit>
+  template <bool kHides, class Visit>
   void for_children_met(const Ray& ray, double t_min, double t_max, const RayQuery& query,
                         Visit&& visit) const;
   template <class Visit>
@@ -87,10 +88,24 @@ class Csg final : public Object {
   bool any_inside(const Vec3& p, std::size_t except) const;
   bool every_inside(const Vec3& p, std::size_t except) const;
   bool begins_or_ends(const Ray& ray, double t) const;
+  template <bool kHides>
   bool keeps(std::size_t child, const Ray& ray, double t, const Chord* chord, Hidden& hidden,
              const RayQuery& query) const;
   bool any_seen_inside(const Vec3& p, std::size_t except, RayKind kind) const;
   bool kept_nearest(const Ray&, double t_min, double t_max, Hit&, const RayQuery&) const;
+  // Where m_core is kHidden or kOverlap: apart, for few are such.
+  bool special_nearest(const Ray&, double t_min, double t_max, Hit&, const RayQuery&) const;
+  bool special_any(const Ray&, double t_min, double t_max, const RayQuery&) const;
+  void special_all(const Ray&, double t_min, double t_max, std::vector<Hit>&,
+                   const RayQuery&) const;
+  // kHides: m_core is kHidden; else somebody or nobody.
+  template <bool kHides>
+  bool nearest_of_parts(const Ray&, double t_min, double t_max, Hit&, const RayQuery&) const;
+  template <bool kHides>
+  bool any_of_parts(const Ray&, double t_min, double t_max, const RayQuery&) const;
+  template <bool kHides>
+  void all_of_parts(const Ray&, double t_min, double t_max, std::vector<Hit>&,
+                    const RayQuery&) const;
   void fence_children();
   void open_parts(const Bounds& whole);
   static Fence fence_of(const Object& child);

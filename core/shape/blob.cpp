@@ -35,21 +35,17 @@ void clip(double p, double d, double lo, double hi, double& from, double& to) {
   to = std::min(to, std::max(a, b));
 }
 
+bool meet(const Bounds& a, const Bounds& b) {
+  Bounds both = a;
+  both.intersect(b);
+  return !both.is_empty();
+}
+
 }  // namespace
 
 Blob::Blob(double threshold, std::vector<BlobField> fields)
     : m_threshold(threshold), m_fields(std::move(fields)) {
   for (const BlobField& f : m_fields) {
-    // Of the inverse's square the largest sum of a row bounds the largest stretch.
-    const Vec3 axes[3] = {f.to_blob.inverse_vector({1, 0, 0}), f.to_blob.inverse_vector({0, 1, 0}),
-                          f.to_blob.inverse_vector({0, 0, 1})};
-    double most = 0.0;
-    for (const Vec3& a : axes) {
-      double sum = 0.0;
-      for (const Vec3& b : axes) sum += std::fabs(dot(a, b));
-      most = std::max(most, sum);
-    }
-    m_scales.push_back(std::sqrt(most));
     const double scale = f.length == 0.0 ? similarity_scale(f.to_blob) * f.radius : 0.0;
     m_rounds.push_back({f.to_blob.point({}), scale > 0.0 ? 1.0 / (scale * scale) : 0.0});
   }
@@ -58,46 +54,121 @@ Blob::Blob(double threshold, std::vector<BlobField> fields)
 
 void Blob::drop_shortcuts() { m_fields.drop_shortcuts(); }
 
-/// Whether the fields can add up to the threshold anywhere in the box.
-bool Blob::may_hold(const Vec3& centre, const Vec3& half) const {
-  const double reach = length(half);
-  double most = 0.0;
-  for (std::size_t i = 0; i < m_fields.size(); ++i) {
-    const BlobField& f = m_fields[i];
-    double share;  // the least for what adds, the most for what takes away
-    if (const Round& round = m_rounds[i]; round.scale > 0.0) {
-      const Vec3 to = centre - round.centre;
-      const auto side = [&](double way, double by) {
-        return f.strength > 0.0 ? std::max(0.0, std::fabs(way) - by) : std::fabs(way) + by;
-      };
-      share = length_squared({side(to.x, half.x), side(to.y, half.y), side(to.z, half.z)}) *
-              round.scale;
-    } else {
-      Vec3 p = point_into(f.to_blob.inverse_rows(), centre);
-      p.z -= std::clamp(p.z, 0.0, f.length);
-      const double distance = length(p), stretch = reach * m_scales[i];
-      const double at = f.strength > 0.0 ? std::max(0.0, distance - stretch) : distance + stretch;
-      share = at * at / (f.radius * f.radius);
-    }
-    const double rest = 1.0 - share;
-    if (rest > 0.0) most += f.strength * rest * rest;
+/// The fields that add something, as a direction d sees them.
+class Blob::Support {
+ public:
+  explicit Support(const Blob& blob);
+  /// The most that d.p becomes on the surface or in the solid, rounded up; d of any length.
+  double operator()(const Vec3& d);
+
+ private:
+  struct Part {
+    const BlobField* field;
+    const Bounds* box;
+    Vec3 middle, half;         ///< of its axis
+    double radius;             ///< if it is round; else 0
+    double falls, reach, end;  ///< of d.p: from where on it falls, over how long, its end
+  };
+  struct Near {
+    const Part* part;
+    double beside;  ///< how far from the first part's axis it is at least, seen along d
+  };
+  static double distance(const Part& a, const Part& b, const Vec3& d);
+  bool may_hold(double c) const;
+
+  double m_threshold;
+  Vec3 m_middle;
+  boost::container::small_vector<Part, 16> m_parts;
+  boost::container::small_vector<Near, 16> m_near;  ///< to one part, that first
+};
+
+Blob::Support::Support(const Blob& blob)
+    : m_threshold(blob.m_threshold), m_middle(blob.m_fields.reach().centre()) {
+  for (std::size_t i = 0; i < blob.m_fields.size(); ++i) {
+    const BlobField& f = blob.m_fields[i];
+    if (!(f.strength > 0.0)) continue;
+    const Vec3 half = f.to_blob.vector({0.0, 0.0, 0.5 * f.length});
+    m_parts.push_back({&f, &blob.m_fields.box(i), f.to_blob.point({}) + half, half,
+                       similarity_scale(f.to_blob) * f.radius, 0.0, 0.0, 0.0});
   }
+}
+
+/// Of their axes, seen along d: not too large.
+double Blob::Support::distance(const Part& a, const Part& b, const Vec3& d) {
+  const Vec3 to = b.middle - a.middle;
+  const auto gap = [&](const Vec3& way) {
+    const double size = length(way);
+    if (!(size > 0.0)) return 0.0;
+    return (std::fabs(dot(to, way)) - std::fabs(dot(a.half, way)) - std::fabs(dot(b.half, way))) /
+           size;
+  };
+  return std::max({0.0, gap(cross(cross(d, to), d)), gap(cross(d, a.half)), gap(cross(d, b.half))});
+}
+
+/// Whether the parts near the first one can add up to the threshold where d.p >= c. A part has there at most what it
+/// has as near to its axis as that lets. So it is asked ring by ring about the axis of the first.
+bool Blob::Support::may_hold(double c) const {
   constexpr double kSlack = 2e-6;  // more than that of inside()
-  return most > m_threshold - kSlack;
+  constexpr int kRings = 8;
+  const Part& first = *m_near.front().part;
+  for (int ring = 0; ring < kRings; ++ring) {
+    const double inner = first.radius * ring / kRings, outer = first.radius * (ring + 1) / kRings;
+    double sum = 0.0;
+    for (const Near& near : m_near) {
+      const Part& part = *near.part;
+      const double past = c > part.falls ? (c - part.falls) / part.reach : 0.0;
+      double beside = &part == &first ? inner : std::max(0.0, near.beside - outer);
+      if (beside > 0.0) beside /= part.radius;
+      const double rest = 1.0 - past * past - beside * beside;
+      if (rest > 0.0) sum += part.field->strength * rest * rest;
+    }
+    if (sum > m_threshold - kSlack) return true;
+    if (first.radius == 0.0) break;
+  }
+  return false;
+}
+
+double Blob::Support::operator()(const Vec3& d) {
+  constexpr int kSteps = 8;  // to a part of 256
+  if (m_parts.empty()) return dot(d, m_middle);
+  for (Part& part : m_parts) {
+    const Transform& t = part.field->to_blob;
+    const Vec3 n{dot(d, t.vector({1, 0, 0})), dot(d, t.vector({0, 1, 0})),
+                 dot(d, t.vector({0, 0, 1}))};
+    part.falls = dot(d, part.middle) + std::fabs(dot(d, part.half));
+    part.reach = part.field->radius * length(n);
+    part.end = part.falls + part.reach;
+  }
+  std::sort(m_parts.begin(), m_parts.end(),
+            [](const Part& a, const Part& b) { return a.end > b.end; });
+  double most = -Bounds::kInf;
+  for (const Part& part : m_parts) {
+    if (part.end <= most) break;
+    m_near.assign(1, {&part, 0.0});
+    double from = part.falls;
+    for (const Part& other : m_parts) {
+      if (other.end <= most) break;
+      if (&other == &part || !meet(*part.box, *other.box)) continue;
+      const bool round = part.radius > 0.0 && other.radius > 0.0;
+      m_near.push_back({&other, round ? distance(part, other, d) : 0.0});
+      from = std::min(from, other.falls);
+    }
+    from = std::max(from, most);
+    if (!may_hold(from)) continue;
+    double to = part.end;
+    for (int step = 0; step < kSteps; ++step) {
+      const double middle = 0.5 * (from + to);
+      (may_hold(middle) ? from : to) = middle;
+    }
+    most = to;
+  }
+  return most > -Bounds::kInf ? most : m_parts.front().end;  // nothing at all: any answer holds
 }
 
 Bounds Blob::bounds_in(const Transform& t) const {
-  constexpr double kFine = 1.0 / 64.0;
-  constexpr int kTests = 2500, kFewest = 32, kMost = 2000;
   if (!m_fields.reach().is_finite()) return transformed(m_fields.reach(), t);
-  const int budget = std::clamp(kTests / static_cast<int>(m_fields.size()), kFewest, kMost);
-  const Vec3 size = m_fields.reach().hi - m_fields.reach().lo;
-  return support_bounds(t, [&](const Vec3& d) {
-    const double wide = std::fabs(d.x) * size.x + std::fabs(d.y) * size.y + std::fabs(d.z) * size.z;
-    return searched_support(
-        m_fields.reach(), d, kFine * wide, budget,
-        [&](const Vec3& centre, const Vec3& half) { return may_hold(centre, half); });
-  });
+  Support support(*this);
+  return support_bounds(t, [&](const Vec3& d) { return support(d); });
 }
 
 /// Those that end beyond t_min.

@@ -17,7 +17,6 @@ class Blob final : public Shape {
 
   ShapeTraits traits() const override { return {.name = "blob"}; }
   Bounds bounds() const override { return m_bounds; }
-  /// Searched for in a few hundred cells.
   Bounds bounds_in(const Transform& t) const override;
   bool nearest(const Ray& ray, double t_min, double t_max, ShapeHit& hit) const override;
   void all(const Ray& ray, double t_min, double t_max, ShapeHits& hits) const override;
@@ -41,12 +40,12 @@ class Blob final : public Shape {
     }
   };
   class Reaches;
+  class Support;
   /// What a ray asks of a field: where it is a ball in the blob's space too, a point and a radius.
   struct Round {
     Vec3 centre;
     double scale = 0.0;  ///< 1 / radius^2; 0: it is none
   };
-  bool may_hold(const Vec3& centre, const Vec3& half) const;
   void find_reaches(std::uint32_t field, const Ray& ray, double t_min, Reaches& out) const;
   bool may_hold(const Reach* const* active, std::size_t count, double from, double to) const;
   /// Calls visit(t) in order along the ray; stops when it returns false.
@@ -56,8 +55,6 @@ class Blob final : public Shape {
   double m_threshold;
   BlobFields m_fields;
   std::vector<Round> m_rounds;  ///< one a field
-  std::vector<double>
-      m_scales;  ///< how much longer at most than in the blob's a length is in a field's space
   Bounds m_bounds;
 };
 

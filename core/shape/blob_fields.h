@@ -33,7 +33,8 @@ class BlobFields {
   const BlobField& operator[](std::size_t i) const { return m_fields[i]; }
   auto begin() const { return m_fields.begin(); }
   auto end() const { return m_fields.end(); }
-  const Bounds& reach() const { return m_reach; }  ///< of all fields
+  const Bounds& box(std::size_t i) const { return m_boxes[i]; }  ///< of a field, a little wider
+  const Bounds& reach() const { return m_reach; }                ///< of all fields
 
   /// Calls visit(i) for the fields that the ray may reach beyond t_min, in any order.
   template <class Visit>

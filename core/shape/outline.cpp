@@ -1,6 +1,7 @@
 #include "core/shape/outline.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <limits>
 
@@ -135,6 +136,7 @@ int line_crossings(const CurvePiece& piece, double a, double b, double c, double
 Outline::Outline(std::vector<CurvePiece> pieces) : m_pieces(std::move(pieces)) {
   m_lo = {kInf, kInf};
   m_hi = {-kInf, -kInf};
+  m_boxes.reserve(m_pieces.size());
   for (const CurvePiece& piece : m_pieces) {
     m_boxes.push_back(box_of(piece));
     m_lo = {std::min(m_lo.u, m_boxes.back().lo.u), std::min(m_lo.v, m_boxes.back().lo.v)};
@@ -167,29 +169,32 @@ void Outline::fill_squares() {
   }
   m_mixed.fill(0);
   for (std::size_t i = 0; i < m_pieces.size(); ++i) mark(m_pieces[i], m_boxes[i]);
-  for (int row = 0; row < m_side; ++row) {
-    const auto r = static_cast<std::size_t>(row);
-    const double v = m_lo.v + (row + 0.5) / m_rows_per_v;
-    double before = m_lo.u - width;
-    bool passed = true,
-         inside = false;  // passed: pieces may be between the last square without any and this
-    for (int column = 0; column < m_side; ++column) {
-      const std::uint32_t bit = 1u << column;
-      if ((m_mixed[r] & bit) == 0) {
-        const double u = m_lo.u + (column + 0.5) / m_columns_per_u;
-        if (passed) inside ^= is_odd(v, before, u);
-        before = u;
-        if (inside) m_inside[r] |= bit;
-      }
-      passed = (m_mixed[r] & bit) != 0;
-    }
+  for (int row = 0; row < m_side; ++row) fill_row(row);
+}
+
+/// Runs of squares without pieces, from one to the next.
+void Outline::fill_row(int row) {
+  const auto r = static_cast<std::size_t>(row);
+  const double v = m_lo.v + (row + 0.5) / m_rows_per_v;
+  const std::uint32_t all = (2u << (m_side - 1)) - 1;
+  double before = 2.0 * m_lo.u - m_hi.u;
+  bool inside = false;
+  for (std::uint32_t known = all & ~m_mixed[r]; known != 0;) {
+    const int first = std::countr_zero(known);
+    const std::uint32_t run = known & ~(known + (1u << first));
+    const double u = m_lo.u + (first + 0.5) / m_columns_per_u;
+    inside ^= is_odd(v, before, u);
+    before = m_lo.u + (std::bit_width(run) - 0.5) / m_columns_per_u;
+    if (inside) m_inside[r] |= run;
+    known &= ~run;
   }
 }
 
 /// In parts between the turns of the curve and a few more places: each part lies in the box of its
-/// ends.
+/// ends. A straight piece row by row.
 void Outline::mark(const CurvePiece& piece, const PlaneBox& box) {
   constexpr int kMostParts = 16;
+  if (piece.is_straight()) return mark_line(piece.d, piece.end);
   const double squares =
       std::max((box.hi.u - box.lo.u) * m_columns_per_u, (box.hi.v - box.lo.v) * m_rows_per_v);
   const int parts =
@@ -210,24 +215,38 @@ void Outline::mark(const CurvePiece& piece, const PlaneBox& box) {
   Vec2 from = piece.d;
   for (int i = 0; i <= count; ++i) {
     const Vec2 to = i < count ? piece.at(places[i]) : piece.end;
-    mark({{std::min(from.u, to.u), std::min(from.v, to.v)},
-          {std::max(from.u, to.u), std::max(from.v, to.v)}});
+    const Vec2 a = in_squares(from), b = in_squares(to);
+    const int first = square_of(std::min(a.v, b.v) - kMarkSlack),
+              last = square_of(std::max(a.v, b.v) + kMarkSlack);
+    for (int row = first; row <= last; ++row) mark(row, a.u, b.u);
     from = to;
   }
 }
 
-void Outline::mark(const PlaneBox& box) {
-  const double by_u = kMarkSlack / m_columns_per_u, by_v = kMarkSlack / m_rows_per_v;
-  const int first_column = column_of(box.lo.u - by_u), last_column = column_of(box.hi.u + by_u);
-  const int first_row = row_of(box.lo.v - by_v), last_row = row_of(box.hi.v + by_v);
-  const std::uint32_t columns = (2u << last_column) - (1u << first_column);
-  for (int row = first_row; row <= last_row; ++row)
-    m_mixed[static_cast<std::size_t>(row)] |= columns;
+/// Each row what of the line may be in it.
+void Outline::mark_line(const Vec2& from, const Vec2& to) {
+  Vec2 a = in_squares(from), b = in_squares(to);
+  if (a.v > b.v) std::swap(a, b);
+  const bool is_level = b.v - a.v <= kMarkSlack;
+  const double slope = is_level ? 0.0 : (b.u - a.u) / (b.v - a.v);
+  const auto at = [&](double v) { return a.u + (std::clamp(v, a.v, b.v) - a.v) * slope; };
+  const int first = square_of(a.v - kMarkSlack), last = square_of(b.v + kMarkSlack);
+  for (int row = first; row <= last; ++row) {
+    mark(row, at(row - kMarkSlack), is_level ? b.u : at(row + 1 + kMarkSlack));
+  }
+}
+
+/// The squares of a row between two places.
+void Outline::mark(int row, double u, double other_u) {
+  const int first = square_of(std::min(u, other_u) - kMarkSlack),
+            last = square_of(std::max(u, other_u) + kMarkSlack);
+  m_mixed[static_cast<std::size_t>(row)] |= (2u << last) - (1u << first);
 }
 
 PlaneBox Outline::box_of(const CurvePiece& piece) {
   PlaneBox box{{std::min(piece.d.u, piece.end.u), std::min(piece.d.v, piece.end.v)},
                {std::max(piece.d.u, piece.end.u), std::max(piece.d.v, piece.end.v)}};
+  if (piece.is_straight()) return box;
   const auto include = [&](double a, double b, double c) {
     double roots[2];
     const int n = solve_quadratic(3.0 * a, 2.0 * b, c, roots);
@@ -271,9 +290,7 @@ bool Outline::is_convex() const {
   for (std::size_t i = 0; i <= m_pieces.size(); ++i) {
     const CurvePiece &piece = m_pieces[i % m_pieces.size()],
                      &next = m_pieces[(i + 1) % m_pieces.size()];
-    const bool is_straight =
-        piece.a.u == 0.0 && piece.a.v == 0.0 && piece.b.u == 0.0 && piece.b.v == 0.0;
-    if (!is_straight || piece.end.u != next.d.u || piece.end.v != next.d.v) return false;
+    if (!piece.is_straight() || piece.end.u != next.d.u || piece.end.v != next.d.v) return false;
     const Vec2 slope = piece.c;
     if (slope.u == 0.0 && slope.v == 0.0) continue;
     const double turn = last.u * slope.v - last.v * slope.u;

@@ -24,6 +24,7 @@ struct CurvePiece {
   Vec2 at(double s) const {
     return {((a.u * s + b.u) * s + c.u) * s + d.u, ((a.v * s + b.v) * s + c.v) * s + d.v};
   }
+  bool is_straight() const { return a.u == 0.0 && a.v == 0.0 && b.u == 0.0 && b.v == 0.0; }
   /// Derivative by s.
   Vec2 slope(double s) const;
   /// The most that direction.u u + direction.v v becomes.
@@ -67,14 +68,19 @@ class Outline {
  private:
   static PlaneBox box_of(const CurvePiece& piece);
   void fill_squares();
+  void fill_row(int row);
   void mark(const CurvePiece& piece, const PlaneBox& box);
-  void mark(const PlaneBox& box);
+  void mark_line(const Vec2& from, const Vec2& to);
+  void mark(int row, double u, double other_u);
   bool contains_counted(double u, double v) const;
   /// Whether the line across at v crosses the boundary an odd number of times in from < u <= to.
   bool is_odd(double v, double from, double to) const;
   /// Which column or row a place is in, beyond them the nearest.
   int column_of(double u) const { return square_of((u - m_lo.u) * m_columns_per_u); }
   int row_of(double v) const { return square_of((v - m_lo.v) * m_rows_per_v); }
+  Vec2 in_squares(const Vec2& p) const {
+    return {(p.u - m_lo.u) * m_columns_per_u, (p.v - m_lo.v) * m_rows_per_v};
+  }
   int square_of(double at) const {
     return at > 0.0 ? static_cast<int>(std::min(at, static_cast<double>(m_side - 1))) : 0;
   }

@@ -61,6 +61,7 @@ std::vector<CurvePiece> spline_pieces(CurveKind kind, const std::vector<Vec2>& p
   const Layout layout = layout_of(kind);
   std::vector<CurvePiece> pieces;
   const std::size_t step = kind == CurveKind::kBezier ? 4 : 1;
+  pieces.reserve(points.size() / step);
   std::size_t first = 0;  // of the curve
   for (std::size_t i = 0; i + layout.span < points.size(); i += step) {
     pieces.push_back(piece_of(kind, &points[i], closing));

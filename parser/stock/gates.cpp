@@ -219,7 +219,8 @@ bool is_endless(const ObjectDesc& object, const core::Object& built) {
 /// Who looks for the solids around a point of the scene finds none beyond stock's box.
 void gate_list_object(const ObjectDesc& object, const core::Transform& outer, core::Object& out) {
   core::Bounds solid = out.solid_bounds();
-  if (solid.is_finite() && out.gates().empty()) return;  // all of it lies in the box
+  const bool is_in_box = solid.is_finite() || solid.is_empty();
+  if (is_in_box && out.gates().empty()) return;
   bool is_whole = true;
   const core::Bounds box = core::transformed(stock_box(object, is_whole), outer);
   if (!is_whole || !(longest_side(box) < kFinite)) return;

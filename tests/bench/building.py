@@ -5,12 +5,12 @@ Whole processes at 80 x 60 pixels on one thread: CPU time (user and system), pea
 faults. Both programs run in turns, and medians are compared. The scenes are made by this command.
 
   tests/bench/building.py [--runs N] [--scale F] [--bin FOLDER] [--json FILE] [way ...]
+  tests/bench/building.py --full [way ...]     scenes as large as the stated limits, one run each
   tests/bench/building.py --stages [way ...]   instructions and bytes an object by stage (valgrind)
   tests/bench/building.py --chart FILE.json [meshes|city]   time and memory from 1e3 objects on
 
 The last output of the first form is the table of docs/performance.md. --scale multiplies the
-numbers of objects: 10 makes two million spheres, 5 makes 10,000 lights. --stages wants the `dev`
-build, whose functions have names.
+numbers of objects. --stages wants the `dev` build, whose functions have names.
 """
 import argparse
 import collections
@@ -271,8 +271,13 @@ WAYS = {
     "exported": Way(exported, 40000, "cylinders written out, without a loop"),
     "traced": Way(traced, 8000, "tufts placed with trace()"),
 }
+FULL = {"spheres": WAYS["spheres"]._replace(count=2000000),
+        "textures": WAYS["textures"]._replace(count=200000),
+        "lights": WAYS["lights"]._replace(count=10000),
+        "mesh2": WAYS["mesh2"]._replace(count=5000000),
+        "city": Way(city, 1000000, "boxes of a city with pigments of their own")}
 CHARTS = {"meshes": Way(mesh2, 5000000, "triangles of a mesh2"),
-          "city": Way(city, 1000000, "boxes of a city")}
+          "city": FULL["city"]}
 STAGES = {"descriptions": "read_descriptions", "compiled": "build_scene",
           "hierarchy": "core::Scene::Scene(", "light buffers": "build_light_buffers"}
 
@@ -331,7 +336,7 @@ def table(results):
         ours, stock = Cost(**found["lentray"]), Cost(**found["stock"])
         rows.append((stock.seconds / ours.seconds, ours.bytes / stock.bytes,
                      ours.faults / stock.faults))
-        print(f"| {found['count']:,} {WAYS[name].says} | {rows[-1][0]:.1f} | {rows[-1][1]:.2f} "
+        print(f"| {found['count']:,} {(WAYS | FULL)[name].says} | {rows[-1][0]:.1f} | {rows[-1][1]:.2f} "
               f"| {rows[-1][2]:.2f} |")
     speeds, memories, faults = zip(*rows)
     print(f"\n{len(rows)} scenes: speed median {statistics.median(speeds):.1f}, least "
@@ -401,16 +406,18 @@ def chart(program, names, runs, folder):
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
-    parser.add_argument("--runs", type=int, default=5)
+    parser.add_argument("--runs", type=int, help="5; with --full 1")
     parser.add_argument("--scale", type=float, default=1.0)
     parser.add_argument("--bin", default=str(ROOT / "build" / "release" / "bin"))
     parser.add_argument("--json")
+    parser.add_argument("--full", action="store_true")
     parser.add_argument("--stages", action="store_true")
     parser.add_argument("--chart", metavar="FILE")
     parser.add_argument("ways", nargs="*")
     args = parser.parse_args()
     program = pathlib.Path(args.bin).resolve() / "lentray"
-    known = CHARTS if args.chart else WAYS
+    runs = args.runs or (1 if args.full else 5)
+    known = CHARTS if args.chart else FULL if args.full else WAYS
     for name in args.ways:
         if name not in known:
             sys.exit(f"no scene '{name}': one of {', '.join(known)}")
@@ -419,11 +426,11 @@ def main():
     try:
         if args.chart:
             pathlib.Path(args.chart).write_text(
-                json.dumps(chart(program, ways, args.runs, folder), indent=2) + "\n")
+                json.dumps(chart(program, ways, runs, folder), indent=2) + "\n")
         elif args.stages:
             stages(program, ways, args.scale, folder)
         else:
-            results = compare(program, ways, args.scale, args.runs, folder)
+            results = compare(program, ways, args.scale, runs, folder)
             table(results)
             if args.json:
                 pathlib.Path(args.json).write_text(json.dumps(results, indent=2) + "\n")

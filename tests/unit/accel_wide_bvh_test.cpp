@@ -273,6 +273,29 @@ TEST(UnitCoreWideBvhShape, PointsFindTheBoxesThatHoldThem) {
   }
 }
 
+TEST(UnitCoreWideBvhShape, NodesAreWellFilled) {
+  std::vector<Bounds> boxes;
+  for (int i = 0; i < 8000; ++i) {
+    const Vec3 at(i % 20, i / 20 % 20, i / 400);
+    boxes.push_back({at, at + Vec3(0.4)});
+  }
+  WideBvh::Options options;
+  options.max_leaf = 1;
+  const WideBvh bvh(boxes, options);
+  EXPECT_EQ(bvh.statistics().leaves, boxes.size());
+  // Each node but the root is a child too: seven leaves a node are the most.
+  EXPECT_LT(bvh.statistics().nodes, boxes.size() / 4);
+}
+
+TEST(UnitCoreWideBvhShape, WhatIsNotNeededAnyMoreIsLetGo) {
+  std::vector<Bounds> boxes(1000, Bounds{{0, 0, 0}, {1, 1, 1}});
+  WideBvh bvh(std::move(boxes), WideBvh::Options{});
+  EXPECT_EQ(boxes.capacity(), 0u);
+  const std::size_t before = bvh.memory();
+  bvh.drop_order();
+  EXPECT_EQ(bvh.memory(), before - 1000 * sizeof(std::uint32_t));
+}
+
 TEST(UnitCoreWideBvhShape, OddInputIsHarmless) {
   const auto never = [](std::uint32_t, std::uint32_t, double&) {
     ADD_FAILURE() << "visited";

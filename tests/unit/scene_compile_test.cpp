@@ -7,6 +7,7 @@
 
 #include "core/accel/hierarchy.h"
 #include "core/accel/light_buffer.h"
+#include "core/base/memory_limit.h"
 #include "core/object/csg.h"
 #include "core/object/leaf.h"
 #include "core/scene/explain.h"
@@ -110,6 +111,27 @@ TEST(UnitCoreScene, ManyLightsShareTheCellsOfFewAndVeryManyHaveNone) {
   EXPECT_GT(bytes(16), 15 * bytes(1));
   EXPECT_LT(bytes(160), 3 * bytes(16));
   EXPECT_EQ(bytes(600), 0u);
+}
+
+TEST(UnitCoreScene, LightBuffersLeaveHalfOfWhatMaxMemoryLeaves) {
+  const auto has_buffers = [](double room) {
+    SceneBuilder b;
+    const Texture* t = b.texture(0);
+    for (int i = 0; i < 400; ++i) b.parts.objects.push_back(b.ball(3.0 * i, t));
+    Light light;
+    for (int i = 0; i < 16; ++i) {
+      light.position = {600, 2000, 1.0 * i};
+      b.parts.lights.push_back(light);
+    }
+    const auto scene = b.compile();
+    limit_memory(resident_bytes() + room);
+    scene->build_light_buffers(10'000'000);
+    limit_memory(Bounds::kInf);
+    return scene->light_buffer(0) != nullptr;
+  };
+  EXPECT_TRUE(has_buffers(Bounds::kInf));
+  EXPECT_TRUE(has_buffers(1e8));
+  EXPECT_FALSE(has_buffers(1e7));
 }
 
 TEST(UnitCoreScene, UnionsAreSplitWhereTheirSurfaceIsThatOfTheirParts) {
