@@ -11,8 +11,8 @@
 
 namespace lentray::core {
 
-/// How far a ray goes that meets nothing.
-inline constexpr double kOpenAir = 1e7;
+/// How far a ray goes that meets nothing, as in stock.
+inline constexpr double kOpenAir = 2e10;
 
 /// Both change `light`, which enters at the segment's far end, into what leaves at the ray's origin.
 /// Rainbows come first, then media, then fogs. `key`: of the ray's random numbers, for

@@ -46,6 +46,24 @@ INSTANTIATE_TEST_SUITE_P(
         " color_map { [0 rgbt <.6,.2,.9,.5>] [1 rgbt <.9,.2,.1,.8>] } } fog { distance 30 rgb .5 "
         "}"));
 
+// A ray that meets nothing goes on for 2e10, beyond where surfaces end.
+TEST(ImageAirFar, OpenAirIsDeep) {
+  for (const char* air :
+       {"fog { distance 1e7 rgb <.2,.9,.4> }", "fog { distance 3e10 rgb <.2,.9,.4> }",
+        "rainbow { direction -y+.2*z angle 80 width 20 distance 1e9 color_map { [0 rgb <.6,.2,.9>]"
+        " [1 rgbf <.9,.2,.1,.8>] } }",
+        "media { absorption <.1,.3,.5>*1e-10 }"}) {
+    const std::string sdl =
+        std::string(
+            "#version 3.7; global_settings { assumed_gamma 1 } camera { location -4*z }\n"
+            "sky_sphere { pigment { rgb <.2,.4,.6> } } plane { y, -1 pigment { rgb 1 } finish {"
+            " ambient .5 } }\n") +
+        air;
+    EXPECT_TRUE(
+        same_as_stock({.sdl = sdl, .width = 60, .height = 45, .arguments = {}, .files = {}}));
+  }
+}
+
 TEST(ImageAirQuality, IsLeftOutBelowNine) {
   const std::string sdl =
       "#version 3.7; global_settings { assumed_gamma 1 }\n"
