@@ -208,7 +208,7 @@ core::SceneParts build_scene(SceneDesc& scene, Diagnostics& diagnostics,
       object = {};  // its memory is used again by what is built next
       textures.forget_unused();
     }
-    scene.objects = {};
+    scene.objects = std::vector<SceneObject>();  // {} would keep its memory
     override_area_lights(options.overrides, parts.lights);
     if (scene.sky_sphere) parts.sky_sphere = build_sky(*scene.sky_sphere, textures);
     if (options.quality >= kAirQuality) {
