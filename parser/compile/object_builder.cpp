@@ -82,6 +82,7 @@ void ObjectBuilder::add(SceneObject& object) {
                                 : object.default_importance;
   nothing.pass_flags = number_of({.importance = importance});
   m_used_up = sole_children(object.object);
+  if (m_used_up) m_used_up_box = stock_box_in_world(*object.object, core::Transform());
   add_to_list(*object.object, core::Transform(), nothing);
   m_used_up = nullptr;
   m_last = {};
@@ -253,7 +254,9 @@ std::unique_ptr<core::Object> ObjectBuilder::build_whole(const ObjectDesc& objec
   if (const auto* blob = std::get_if<std::shared_ptr<const BlobShape>>(&object.shape)) {
     add_element_textures(**blob, to_world, *out);
   }
-  const Standing standing{from.on_list, is_split, from.in_whole, m_has_hierarchy};
+  const bool is_used_up = csg && csg->children.get() == m_used_up;
+  const Standing standing{from.on_list, is_split, from.in_whole, m_has_hierarchy,
+                          is_used_up ? &m_used_up_box : nullptr};
   set_limits(
       object, outer, standing, [&](const ObjectDesc& region) { return geometry(region, outer); },
       *out);
@@ -269,7 +272,7 @@ std::unique_ptr<core::Object> ObjectBuilder::build_whole(const ObjectDesc& objec
 void ObjectBuilder::let_go(Ref<ObjectDesc>& child) {
   child = nullptr;
   constexpr long kKept = 2;  // by the compiler and here
-  if (m_last.texture.use_count() <= kKept) m_last = {};
+  if (m_last.texture && m_last.texture.use_count() <= kKept) m_last = {};
   m_textures->forget_unused();
 }
 

@@ -108,7 +108,8 @@ class ObjectBuilder {
   SlopeWatches m_slope_watches;
   Ref<TextureDesc> m_default;
   Children* m_used_up = nullptr;  ///< of the object being built, those to be let go of; null: none
-  std::shared_ptr<Cutaways> m_cutaways;  ///< of the object being built; null: it has none
+  std::optional<core::Bounds> m_used_up_box;  ///< stock's, of that object
+  std::shared_ptr<Cutaways> m_cutaways;       ///< of the object being built; null: it has none
   /// What was compiled last, with the default as it is: most objects look like the one before.
   struct Last {
     Ref<TextureDesc> texture;

@@ -33,11 +33,10 @@ double longest_side(const core::Bounds& b) {
   return std::max({size.x, size.y, size.z});
 }
 
-/// Stock's box of the object in the world; empty where parts of it have no geometry yet.
-core::Bounds box_in_world(const ObjectDesc& object, const core::Transform& outer) {
-  bool is_whole = true;
-  const core::Bounds box = core::transformed(stock_box(object, is_whole), outer);
-  return is_whole ? box : core::Bounds();
+std::optional<core::Bounds> box_in_world(const ObjectDesc& object, const core::Transform& outer,
+                                         const Standing& standing) {
+  if (standing.known_box) return *standing.known_box;
+  return stock_box_in_world(object, outer);
 }
 
 std::shared_ptr<const core::Object> gate_of(const core::Bounds& box) {
@@ -217,18 +216,25 @@ bool is_endless(const ObjectDesc& object, const core::Object& built) {
 }
 
 /// Who looks for the solids around a point of the scene finds none beyond stock's box.
-void gate_list_object(const ObjectDesc& object, const core::Transform& outer, core::Object& out) {
+void gate_list_object(const ObjectDesc& object, const core::Transform& outer,
+                      const Standing& standing, core::Object& out) {
   core::Bounds solid = out.solid_bounds();
   const bool is_in_box = solid.is_finite() || solid.is_empty();
   if (is_in_box && out.gates().empty()) return;
-  bool is_whole = true;
-  const core::Bounds box = core::transformed(stock_box(object, is_whole), outer);
-  if (!is_whole || !(longest_side(box) < kFinite)) return;
-  solid.intersect(box);
+  const auto box = box_in_world(object, outer, standing);
+  if (!box || !(longest_side(*box) < kFinite)) return;
+  solid.intersect(*box);
   out.set_solid_gate(solid.is_empty() ? core::Bounds() : solid);
 }
 
 }  // namespace
+
+std::optional<core::Bounds> stock_box_in_world(const ObjectDesc& object,
+                                               const core::Transform& outer) {
+  bool is_whole = true;
+  const core::Bounds box = core::transformed(stock_box(object, is_whole), outer);
+  return is_whole ? std::optional(box) : std::nullopt;
+}
 
 void set_limits(const ObjectDesc& object, const core::Transform& outer, const Standing& standing,
                 const MakeRegion& make_region, core::Object& out) {
@@ -237,14 +243,15 @@ void set_limits(const ObjectDesc& object, const core::Transform& outer, const St
   core::Csg* csg = object.csg() ? static_cast<core::Csg*>(&out) : nullptr;
   // The box of a turned CSG is that of its parts' boxes, turned.
   if (csg && csg->is_gated()) {
-    if (const core::Bounds box = box_in_world(object, outer); !box.is_empty()) csg->set_box(box);
+    const auto box = box_in_world(object, outer, standing);
+    if (box && !box->is_empty()) csg->set_box(*box);
   }
   set_regions(object, outer, standing, make_region, out);
   if (endless) gate_endless_solid(object, outer, surface, static_cast<core::Leaf&>(out));
   if (object.inverse) out.set_inverse(true);
   // Stock asks the parts of a CSG without a look at their boxes.
   if (csg && !standing.is_split && (standing.on_list || !standing.is_part)) csg->open_parts();
-  if (standing.on_list) gate_list_object(object, outer, out);
+  if (standing.on_list) gate_list_object(object, outer, standing, out);
 }
 
 void set_gates_alone(const ObjectDesc& object, core::Object& out) {

@@ -9,6 +9,7 @@
 
 #include <functional>
 #include <memory>
+#include <optional>
 
 #include "core/object/object.h"
 #include "parser/descriptions/object.h"
@@ -21,6 +22,8 @@ struct Standing {
   bool is_split = false;      ///< a union whose parts are entries of the list instead of itself
   bool is_part = false;       ///< in another object
   bool has_hierarchy = true;  ///< the scene has at least kHierarchyFrom objects and lights
+  /// stock_box_in_world() of an object whose parts are gone; null: it is whole.
+  const std::optional<core::Bounds>* known_box = nullptr;
 };
 
 using MakeRegion = std::function<std::shared_ptr<const core::Object>(const ObjectDesc&)>;
@@ -29,6 +32,10 @@ using MakeRegion = std::function<std::shared_ptr<const core::Object>(const Objec
 /// statement into the world; `make_region` builds what clips or bounds, in the world.
 void set_limits(const ObjectDesc& object, const core::Transform& outer, const Standing& standing,
                 const MakeRegion& make_region, core::Object& out);
+
+/// Stock's box of the object in the world; nothing where parts of it have no geometry yet.
+std::optional<core::Bounds> stock_box_in_world(const ObjectDesc& object,
+                                               const core::Transform& outer);
 
 /// The gates that an object has besides where inside() and trace() ask for it alone.
 void set_gates_alone(const ObjectDesc& object, core::Object& out);
