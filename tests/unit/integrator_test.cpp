@@ -348,6 +348,7 @@ TEST(UnitCoreIntegrator, GeneralAndSpecialisedScenesGiveTheSameBits) {
   }
 }
 
+/// Every cache in one order, every order with one cache; Slow/ImageIdentical has all pairs.
 TEST(UnitShadowCache, NeverChangesThePictureAndCountsAddUp) {
   for (const bool transparency : {false, true}) {
     Builder b;
@@ -357,6 +358,7 @@ TEST(UnitShadowCache, NeverChangesThePictureAndCountsAddUp) {
     const std::vector<Radiance> reference = integrator_picture(*plain.tracer);
     for (const auto cache : shadow::tester_names()) {
       for (const auto order : shadow::order_names()) {
+        if (order != "rows" && cache != "neighbourhood") continue;
         Kit kit(*scene, std::string(cache));
         EXPECT_TRUE(integrator_same(integrator_picture(*kit.tracer, std::string(order)), reference))
             << cache << " " << order;
