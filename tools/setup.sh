@@ -10,7 +10,7 @@ set -eu
 
 packages="
   cmake ninja-build g++ python3
-  libtbb-dev libboost-dev libboost-program-options-dev nlohmann-json3-dev
+  libtbb-dev libxxhash-dev libboost-dev libboost-program-options-dev nlohmann-json3-dev
   libopenimageio-dev openimageio-tools libopenexr-dev libpng-dev zlib1g-dev libgif-dev libjpeg-dev
   liblcms2-dev libfreetype-dev"
 package_packages="dpkg-dev file"

@@ -215,6 +215,7 @@ struct Hierarchy::Impl {
   std::vector<std::string> types;
   std::uint8_t any_flags = 0;  ///< of any object
   std::size_t infinite = 0;
+  Bounds bounds;
   std::optional<ObjectTree> all;
   // For shadow rays, where some objects cast no shadow or a filtered one: opaque casters alone,
   // and the others.
@@ -301,7 +302,11 @@ Hierarchy::Impl::Impl(const std::vector<std::unique_ptr<Object>>& objects, Accel
     const Object& object = *objects[i];
     const Bounds box = object.bounds();
     ObjectEntry entry{&object, static_cast<std::uint32_t>(i), flags_of(object), type_of(object)};
-    if (box.is_empty() && !has_nan(box)) continue;  // nothing meets it
+    if (!box.is_empty()) {
+      bounds.include(box);
+    } else if (!has_nan(box)) {
+      continue;  // nothing meets it
+    }
     // Of equal distances infinite objects win: a floor over a box that ends there.
     if (!box.is_finite()) {
       ++infinite;
@@ -378,6 +383,10 @@ void Hierarchy::all_transparent(const Ray& ray, double t_min, double t_max, std:
   NoTally none;
   m_impl->all_transparent(ray, t_min, t_max, hits, arena, none);
 }
+
+const Bounds& Hierarchy::bounds() const { return m_impl->bounds; }
+
+bool Hierarchy::has_infinite() const { return m_impl->infinite > 0; }
 
 std::size_t Hierarchy::memory() const {
   std::size_t bytes = sizeof(Impl) + m_impl->all->memory();

@@ -39,6 +39,9 @@ class Hierarchy {
   void all_transparent(const Ray& ray, double t_min, double t_max, std::vector<Hit>& hits,
                        HitArena& arena, Counters* counters) const;
 
+  /// Of all objects that can be met.
+  const Bounds& bounds() const;
+  bool has_infinite() const;
   std::size_t memory() const;
   struct Shape {
     std::size_t nodes = 0, leaves = 0, objects = 0, infinite = 0;

@@ -2,11 +2,13 @@
 // blend. Looked up exactly as stock does: below the first the first holds, from the last on the
 // last; of equal values the first is met from below and the last from above; a value equal to an
 // entry's is that entry alone. Values are single precision, as in stock.
+// Copies share the entries: a map that many pigments have is held once.
 // Source: reference manual 3.7, "Color Maps"; compared with stock by image.patterns.
 #pragma once
 
 #include <algorithm>
 #include <cstddef>
+#include <memory>
 #include <utility>
 #include <vector>
 
@@ -25,37 +27,43 @@ class BlendMap {
   };
 
   explicit BlendMap(std::vector<std::pair<double, Item>> entries) {
+    auto made = std::make_shared<Entries>();
+    made->values.reserve(entries.size());
+    made->reach.reserve(entries.size());
+    made->items.reserve(entries.size());
     double highest = -1e300;
     for (auto& [value, item] : entries) {
       const double rounded = single(value);
-      m_values.push_back(rounded);
-      // Entries out of order: the first that reaches a value counts, so search their maxima.
-      m_reach.push_back(highest = std::max(highest, rounded));
-      m_items.push_back(std::move(item));
+      made->values.push_back(rounded);
+      made->reach.push_back(highest = std::max(highest, rounded));
+      made->items.push_back(std::move(item));
     }
+    m_entries = std::move(made);
   }
 
   Place find(double value) const {
-    const std::size_t last = m_values.size() - 1;
-    if (value >= m_values[last]) return at(last);
-    if (!(m_reach[0] < value)) return at(0);
-    const std::size_t i = first_reaching(value);
-    if (i > last || value == m_values[i]) return at(std::min(i, last));
-    return {&m_items[i - 1], &m_items[i],
-            (value - m_values[i - 1]) / (m_values[i] - m_values[i - 1])};
+    const auto& [values, reach, items] = *m_entries;
+    const auto at = [&](std::size_t i) { return Place{&items[i], &items[i], 0.0}; };
+    const std::size_t last = values.size() - 1;
+    if (value >= values[last]) return at(last);
+    if (!(reach[0] < value)) return at(0);
+    const auto i = static_cast<std::size_t>(std::lower_bound(reach.begin(), reach.end(), value) -
+                                            reach.begin());
+    if (i > last || value == values[i]) return at(std::min(i, last));
+    return {&items[i - 1], &items[i], (value - values[i - 1]) / (values[i] - values[i - 1])};
   }
 
-  const std::vector<Item>& items() const { return m_items; }
-  const std::vector<double>& values() const { return m_values; }
+  const std::vector<Item>& items() const { return m_entries->items; }
+  const std::vector<double>& values() const { return m_entries->values; }
 
  private:
-  Place at(std::size_t i) const { return {&m_items[i], &m_items[i], 0.0}; }
-  std::size_t first_reaching(double value) const {
-    return static_cast<std::size_t>(std::lower_bound(m_reach.begin(), m_reach.end(), value) -
-                                    m_reach.begin());
-  }
-  std::vector<double> m_values, m_reach;
-  std::vector<Item> m_items;
+  struct Entries {
+    std::vector<double> values;
+    std::vector<double>
+        reach;  ///< the greatest so far: of entries out of order the first that reaches a value counts
+    std::vector<Item> items;
+  };
+  std::shared_ptr<const Entries> m_entries;
 };
 
 }  // namespace lentray::core

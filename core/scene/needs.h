@@ -11,7 +11,7 @@ namespace lentray::core {
 
 struct Needs {
   std::map<std::string, std::size_t> primitives;  ///< by SDL keyword, after splitting unions
-  bool infinite_objects = false;
+  bool infinite_objects = false;                  ///< set by the scene, whose hierarchy knows
   bool csg = false;
   bool clipping = false;
   bool transparency = false;         ///< any texture with filter or transmit

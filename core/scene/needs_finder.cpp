@@ -97,8 +97,6 @@ class Finder {
     const Attributes& a = object.attributes();
     if (a.no_image || a.no_reflection || a.no_radiosity || a.no_shadow)
       m_needs.visibility_flags = true;
-    const Bounds bounds = object.bounds();
-    if (!bounds.is_finite() && !bounds.is_empty()) m_needs.infinite_objects = true;
     const bool filters = !object.is_opaque() && !a.no_shadow;
     if (filters) m_needs.transparent_shadows = true;
     look_at_structure(object);

@@ -100,11 +100,7 @@ void each_light(std::size_t lights, std::size_t casters, Fill&& fill) {
                     [&](const auto& range) { fill(range.begin(), range.end()); });
 }
 
-double tolerance_scale_of(const std::vector<std::unique_ptr<Object>>& objects) {
-  Bounds all;
-  for (const auto& object : objects) {
-    if (const Bounds box = object->bounds(); !box.is_empty()) all.include(box);
-  }
+double tolerance_scale_of(const Bounds& all) {
   if (all.is_empty() || !all.is_finite()) return 1.0;
   const double across = length(all.hi - all.lo);
   return across > 0.0 ? std::min(1.0, across) : 1.0;
@@ -123,11 +119,12 @@ Scene::Scene(SceneParts parts, const CompileOptions& options)
   for (std::uint32_t i = 0; i < m_parts.lights.size(); ++i) {
     if (!m_parts.lights[i].grouped) m_global_lights.push_back(i);
   }
-  m_tolerance_scale = tolerance_scale_of(m_parts.objects);
+  m_hierarchy = std::make_unique<Hierarchy>(m_parts.objects, options.accelerator);
+  m_tolerance_scale = tolerance_scale_of(m_hierarchy->bounds());
   m_needs = find_needs(m_parts);
+  m_needs.infinite_objects = m_hierarchy->has_infinite();
   if (options.general_path) m_needs = everything_needed(std::move(m_needs), m_parts.settings);
   m_solids = std::make_unique<SolidIndex>(m_parts.objects);
-  m_hierarchy = std::make_unique<Hierarchy>(m_parts.objects, options.accelerator);
   m_light_buffers.resize(m_parts.lights.size());
 }
 

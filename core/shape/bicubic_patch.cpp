@@ -20,7 +20,7 @@ struct Weights {
 };
 
 /// Along both together: a net of more pieces would need more memory than a picture shows.
-constexpr int kMostHalvings = 18;
+constexpr int kMostPatchHalvings = 18;
 
 /// For slopes that lie in a line. Source: stock's.
 constexpr double kFlat = 1e-10;
@@ -148,7 +148,7 @@ BicubicPatch::BicubicPatch(const std::array<Vec3, 16>& points, int u_steps, int 
       m_corners(corners) {
   constexpr int kMostSteps = 16;
   int by_u = std::clamp(u_steps, 0, kMostSteps), by_v = std::clamp(v_steps, 0, kMostSteps);
-  while (by_u + by_v > kMostHalvings) --(by_u > by_v ? by_u : by_v);
+  while (by_u + by_v > kMostPatchHalvings) --(by_u > by_v ? by_u : by_v);
   const auto rows = std::uint32_t{1} << by_u, columns = std::uint32_t{1} << by_v;
   NetMaker maker(*this, rows, columns);
   maker.add({points, 0, rows, 0, columns});

@@ -4,10 +4,6 @@
 #include "core/numeric/roots.h"
 
 namespace lentray::core {
-namespace {
-constexpr std::uint32_t kSide = 0, kBase = 1, kCap = 2;
-constexpr double kSolidTolerance = 1e-10;  // stock's, relative to radius and length
-}  // namespace
 
 Cone::Cone(const Vec3& base, double base_radius, const Vec3& cap, double cap_radius, bool open)
     : m_base(base), m_axis(normalized(cap - base)), m_length(length(cap - base)),
@@ -117,7 +113,7 @@ bool Cone::inside(const Vec3& p) const {
   const double r = m_base_radius + m_slope * z;
   const double widest = std::max(m_base_radius, m_cap_radius);
   // The surface itself is outside of a closed one and inside of an open one.
-  const double slack = m_open ? kSolidTolerance : -kSolidTolerance;
+  const double slack = m_open ? kRoundTolerance : -kRoundTolerance;
   return dot(across, across) <= r * r + slack * widest * widest && z >= -slack * m_length &&
          z <= m_length * (1.0 + slack);
 }

@@ -3,10 +3,6 @@
 #include "core/numeric/bounds_help.h"
 
 namespace lentray::core {
-namespace {
-constexpr std::uint32_t kSide = 0, kBase = 1, kCap = 2;
-constexpr double kSolidTolerance = 1e-10;  // stock's, relative to radius and length
-}  // namespace
 
 Cylinder::Cylinder(const Vec3& base, const Vec3& cap, double radius, bool open)
     : m_base(base), m_axis(normalized(cap - base)), m_length(length(cap - base)),
@@ -98,7 +94,7 @@ bool Cylinder::inside(const Vec3& p) const {
   const double z = dot(q, m_axis);
   const Vec3 across = q - m_axis * z;
   // The surface itself is outside of a closed one and inside of an open one.
-  const double slack = m_open ? kSolidTolerance : -kSolidTolerance;
+  const double slack = m_open ? kRoundTolerance : -kRoundTolerance;
   return dot(across, across) <= m_radius * m_radius * (1.0 + slack) && z >= -slack * m_length &&
          z <= m_length * (1.0 + slack);
 }

@@ -10,9 +10,9 @@ namespace lentray::core {
 namespace {
 
 constexpr double kFullHeight = 65536.0;
-constexpr double kMargin = 0.001;  ///< of the box above and below the heights
-constexpr double kSlack = 1e-6;    ///< as wide as the heights' own rounding
-constexpr double kEdge = 1e-4;     ///< how far triangles reach beyond their edges, in cells
+constexpr double kMargin = 0.001;      ///< of the box above and below the heights
+constexpr double kHeightSlack = 1e-6;  ///< as wide as the heights' own rounding
+constexpr double kEdge = 1e-4;         ///< how far triangles reach beyond their edges, in cells
 
 /// The part of the ray within the box.
 bool clip(const Bounds& box, const Ray& ray, double& lo, double& hi) {
@@ -165,7 +165,7 @@ HeightGrid::Slab HeightGrid::slab(int x, int z) const {
       high = std::max(high, above);
     }
   }
-  const double more = kSlack + kBeyond * (high - low);
+  const double more = kHeightSlack + kBeyond * (high - low);
   slab.low = static_cast<float>(low - more - kRounding * std::fabs(low));
   slab.high = static_cast<float>(high + more + kRounding * std::fabs(high));
   return slab;
@@ -268,8 +268,8 @@ template <class Visit>
                                                      Visit&& visit) const {
   const std::uint16_t* const beyond = corner + m_grid->width();
   const double y1 = corner[0], y2 = corner[1], y3 = beyond[0], y4 = beyond[1];
-  if (std::max({y1, y2, y3, y4}) < std::min(y_from, y_to) - kSlack) return;
-  if (std::min({y1, y2, y3, y4}) > std::max(y_from, y_to) + kSlack) return;
+  if (std::max({y1, y2, y3, y4}) < std::min(y_from, y_to) - kHeightSlack) return;
+  if (std::min({y1, y2, y3, y4}) > std::max(y_from, y_to) + kHeightSlack) return;
   for_triangles(x, z, y1, y2, y3, y4, ray, [&](double t, std::uint32_t which) {
     const auto number =
         static_cast<std::uint32_t>(z) * static_cast<std::uint32_t>(m_grid->width()) +

@@ -18,7 +18,7 @@ constexpr double kSkin = 4.0;          ///< in accuracies: how far off the surfa
 constexpr double kStep = 5.0;  ///< in accuracies: how far beyond a surface the search goes on
 /// Accuracies count along the ray: a surface that is scaled down would vanish in its own.
 /// One coarser than this share of the way through the container is replaced by a fine one.
-constexpr double kCoarse = 0.05, kFine = 5e-4;
+constexpr double kCoarseAccuracy = 0.05, kFineAccuracy = 5e-4;
 
 }  // namespace
 
@@ -205,7 +205,8 @@ void Isosurface::crossings(const Ray& ray, Visit&& visit) const {
   if (!through_container(ray, from, to, side_in, side_out)) return;
   from = std::max(from, 0.0);
   const double speed = length(ray.direction), widest = length(bounds().hi - bounds().lo) / speed;
-  const double accuracy = m_set.accuracy > kCoarse * widest ? kFine * widest : m_set.accuracy;
+  const double accuracy =
+      m_set.accuracy > kCoarseAccuracy * widest ? kFineAccuracy * widest : m_set.accuracy;
   if (to - from < accuracy) return;
   Field field(*this);
   Search search{*this, field, ray, speed, m_set.max_gradient, accuracy};

@@ -13,7 +13,7 @@ constexpr double kAlong = 1e-10;   ///< directions below this run along an axis'
 constexpr double kEmptyPath = 1e-10;
 /// Accuracies count along the ray: a surface that is scaled down would vanish in its own.
 /// One coarser than this share of the surface's size is replaced by a fine one.
-constexpr double kCoarse = 0.05, kFine = 5e-4;
+constexpr double kCoarsePiece = 0.05, kFinePiece = 5e-4;
 constexpr double kSlow =
     0.05;  ///< sine of the angle to a plane, below which a ray creeps away from it
 
@@ -171,7 +171,7 @@ struct Parametric::Search {
   Search(const Parametric& parametric, const Ray& ray)
       : surface(parametric), accuracy(parametric.m_set.accuracy), speed(length(ray.direction)) {
     const double size = length(parametric.m_bounds.hi - parametric.m_bounds.lo) / speed;
-    along = accuracy > kCoarse * size ? kFine * size : accuracy;
+    along = accuracy > kCoarsePiece * size ? kFinePiece * size : accuracy;
     for (int axis = 0; axis < 3; ++axis) {
       const std::size_t i = static_cast<std::size_t>(axis);
       origin[i] = ray.origin[axis];

@@ -11,7 +11,7 @@
 namespace lentray::core {
 namespace {
 
-constexpr double kGrazing =
+constexpr double kFlattest =
     0.1;  ///< photons that come flatter count as if they came at this cosine
 constexpr std::uint64_t kPhotonsBranch = ~std::uint64_t{0};  ///< of a layer's random numbers
 
@@ -36,7 +36,7 @@ Rgb light_of_photons(const PhotonTree& tree, const FoundPhotons& found, const Ph
     if (behind && finish.diffuse_back == 0.0) continue;
     // A photon stands for a share of a beam: the flatter it comes, the more of the surface has that.
     const Rgb light =
-        times(power_of(photon), 1.0 / std::clamp(dot(at.normal, back), kGrazing, 1.0));
+        times(power_of(photon), 1.0 / std::clamp(dot(at.normal, back), kFlattest, 1.0));
     Rgb share = diffuse_light(finish, cosine, light, layer.pigment,
                               behind ? finish.diffuse_back : finish.diffuse, layer.opacity,
                               finish.crand > 0.0 ? grain.next() : 0.0);

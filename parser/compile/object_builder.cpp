@@ -80,7 +80,9 @@ void ObjectBuilder::add(SceneObject& object) {
   const double importance = m_parts->settings.radiosity
                                 ? m_parts->settings.radiosity->default_importance
                                 : object.default_importance;
-  nothing.pass_flags = number_of({.importance = importance});
+  core::PassFlags flags;
+  flags.importance = importance;
+  nothing.pass_flags = number_of(flags);
   m_used_up = sole_children(object.object);
   if (m_used_up) m_used_up_box = stock_box_in_world(*object.object, core::Transform());
   add_to_list(*object.object, core::Transform(), nothing);
@@ -114,7 +116,7 @@ std::unique_ptr<core::Object> ObjectBuilder::geometry(const ObjectDesc& object,
 
 Ref<TextureDesc> ObjectBuilder::moved(const Ref<TextureDesc>& texture,
                                       const core::Transform& transform) {
-  if (!texture || transform.is_identity()) return texture;
+  if (!texture || transform.is_identity() || is_placeless(*texture)) return texture;
   if (texture.use_count() == 1) return transformed(texture, transform);  // no other part has it
   Ref<TextureDesc>& slot = m_moved[{texture, transform.rows()}];
   if (!slot) slot = transformed(texture, transform);
@@ -141,7 +143,10 @@ ObjectBuilder::Inherited ObjectBuilder::resolve(const ObjectDesc& object,
   const core::Transform texture_move = object.uv_mapping ? core::Transform() : outer;
   // A part without a texture of its own takes its whole's with it.
   looks.uv_mapping = object.uv_mapping || (!object.texture && from.uv_mapping);
-  if (object.texture) looks.texture = moved(object.texture, texture_move);
+  if (object.texture_waits)
+    looks.texture = moved(object.texture, object.transform->then(outer));
+  else if (object.texture)
+    looks.texture = moved(object.texture, texture_move);
   const RareParts& rare = *object.rare;
   if (rare.radiosity_importance || rare.photons.given) {
     looks.pass_flags = pass_flags_over(from.pass_flags, rare);

@@ -94,6 +94,7 @@ struct TextureCompiler::Impl {
   Cache<NormalDesc, core::NormalPerturbation> normals;
   Cache<FinishDesc, core::Finish> finishes;
   Cache<MediaDesc, core::Medium> media;
+  Cache<ColourMapDesc, core::BlendMap<core::Colour>> colour_maps;
   std::vector<core::TexturePtr> made;  ///< all that was asked for
   /// Some of the plain textures that were made: most scenes have few, on many objects.
   struct Plain {
@@ -185,11 +186,14 @@ core::PigmentPtr TextureCompiler::Impl::compile_fresh(const PigmentDesc& pigment
   if (!pigment.colour_map) {
     return core::make_colour_map_pigment(std::move(placed), default_colours(pattern.kind));
   }
-  std::vector<std::pair<double, core::Colour>> colours;
-  for (const auto& entry : pigment.colour_map->entries) {
-    colours.emplace_back(entry.value, entry.item);
-  }
-  return core::make_colour_map_pigment(std::move(placed), core::BlendMap(std::move(colours)));
+  const auto map = colour_maps.get(pigment.colour_map, [&] {
+    std::vector<std::pair<double, core::Colour>> colours;
+    for (const auto& entry : pigment.colour_map->entries) {
+      colours.emplace_back(entry.value, entry.item);
+    }
+    return std::make_shared<const core::BlendMap<core::Colour>>(std::move(colours));
+  });
+  return core::make_colour_map_pigment(std::move(placed), *map);
 }
 
 core::NormalPtr TextureCompiler::Impl::compile(const Ref<NormalDesc>& normal) {
@@ -265,15 +269,15 @@ core::NormalPtr TextureCompiler::Impl::compile_fresh(const NormalDesc& normal) {
 
 std::shared_ptr<const core::Finish> TextureCompiler::Impl::compile(const Ref<FinishDesc>& finish) {
   return finishes.get(finish, [&] {
-    auto made =
+    auto compiled =
         std::make_shared<const core::Finish>(compile_finish(*finish, settings.least_translucency));
-    if (made->subsurface) {
+    if (compiled->subsurface) {
       has_subsurface = true;
-      const bool is_as_written = made->subsurface->translucency == finish->subsurface->translucency;
+      const bool is_as_written = compiled->subsurface->translucency == finish->subsurface->translucency;
       if (!too_opaque && !is_as_written) too_opaque = finish;
     }
-    has_crand = has_crand || made->crand > 0.0;
-    return made;
+    has_crand = has_crand || compiled->crand > 0.0;
+    return compiled;
   });
 }
 
@@ -359,6 +363,7 @@ void TextureCompiler::forget_unused() {
   m_impl->pigments.forget_unused();
   m_impl->normals.forget_unused();
   m_impl->finishes.forget_unused();
+  m_impl->colour_maps.forget_unused();
 }
 
 std::shared_ptr<const core::Pigment> TextureCompiler::pigment(const Ref<PigmentDesc>& pigment) {

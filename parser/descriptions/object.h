@@ -64,6 +64,8 @@ struct ObjectDesc {
   // Looks and bounds have been moved by the transforms that followed them in the statement.
   Ref<TextureDesc> texture;  ///< null: inherited, at last the default texture
   Sparse<RareParts> rare;
+  bool texture_waits =
+      false;  ///< `transform` has still to move `texture`, which many objects may share
   bool bounds_are_clips = false;  ///< bounded_by { clipped_by } or the other way round
 
   bool inverse = false;
@@ -81,5 +83,8 @@ struct ObjectDesc {
   bool is_light() const { return std::holds_alternative<LightShape>(shape); }
   const CsgShape* csg() const { return std::get_if<CsgShape>(&shape); }
 };
+
+/// Moves the texture now if it waits.
+void settle_texture(ObjectDesc& object);
 
 }  // namespace lentray::parser

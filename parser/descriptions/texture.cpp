@@ -1,5 +1,6 @@
 #include "parser/descriptions/texture.h"
 
+#include <algorithm>
 #include <utility>
 
 #include "parser/base/edit.h"
@@ -49,6 +50,23 @@ Ref<TextureDesc> transformed(Ref<TextureDesc> texture, const core::Transform& tr
     }
   }
   return texture;
+}
+
+bool can_wait(const TextureDesc& texture) {
+  const auto pattern_can = [](const PatternDesc& pattern) {
+    return pattern.placement.empty() || pattern.placement.back().kind != WarpDesc::Kind::kTransform;
+  };
+  return std::all_of(texture.layers.begin(), texture.layers.end(), [&](const TextureLayerDesc& l) {
+    return l.is_patterned()
+               ? pattern_can(*l.pattern)
+               : pattern_can(l.pigment->pattern) && (!l.normal || pattern_can(l.normal->pattern));
+  });
+}
+
+bool is_placeless(const TextureDesc& texture) {
+  return std::all_of(texture.layers.begin(), texture.layers.end(), [](const TextureLayerDesc& l) {
+    return !l.is_patterned() && !l.normal && l.pigment->pattern.kind == PatternKind::kPlain;
+  });
 }
 
 Ref<TextureDesc> layered(Ref<TextureDesc> below, Ref<TextureDesc> above) {

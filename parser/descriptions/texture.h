@@ -30,6 +30,11 @@ struct TextureDesc {
 
 /// The texture after one more transform, pigments and normals included.
 Ref<TextureDesc> transformed(Ref<TextureDesc> texture, const core::Transform& transform);
+/// Whether it may be moved later, together with what moves it then: none of its patterns ends in a transform,
+/// whose product with the next would be rounded otherwise.
+bool can_wait(const TextureDesc& texture);
+/// Whether it is the same wherever it is moved: colours and finishes alone.
+bool is_placeless(const TextureDesc& texture);
 /// The layers of `above` over those of `below`; either may be null.
 Ref<TextureDesc> layered(Ref<TextureDesc> below, Ref<TextureDesc> above);
 /// The default texture of a scene that has no #default: black pigment, default finish.

@@ -93,9 +93,10 @@ LENTRAY_FIELDS(GlobalDesc, where, assumed_gamma, gamma_is_srgb, assumed_gamma_ve
 // Objects and the whole.
 LENTRAY_FIELDS(RareParts, interior_texture, interior, clipped_by, bounded_by, radiosity_importance,
                photons)
-LENTRAY_FIELDS(ObjectDesc, where, keyword, shape, transform, texture, rare, bounds_are_clips,
-               inverse, no_shadow, no_image, no_reflection, no_radiosity, double_illuminate, hollow,
-               sturm, hierarchy, uv_mapping, reopened, copied, nesting, compiled)
+LENTRAY_FIELDS(ObjectDesc, where, keyword, shape, transform, texture, rare, texture_waits,
+               bounds_are_clips, inverse, no_shadow, no_image, no_reflection, no_radiosity,
+               double_illuminate, hollow, sturm, hierarchy, uv_mapping, reopened, copied, nesting,
+               compiled)
 LENTRAY_FIELDS(SceneObject, object, default_texture, default_importance)
 LENTRAY_FIELDS(SceneDesc, objects, dropped, camera, global, background, has_background,
                background_version, fogs, rainbows, sky_sphere, atmosphere_media, atmosphere_ior,

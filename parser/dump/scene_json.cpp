@@ -40,7 +40,9 @@ class Dumper {
 
   template <typename T>
   Json value(const T& v) {
-    if constexpr (HasFields<T>)
+    if constexpr (std::is_same_v<T, ObjectDesc>)
+      return other(v);
+    else if constexpr (HasFields<T>)
       return fields(v);
     else if constexpr (std::is_same_v<T, FoundFile>)
       return v.path;
@@ -77,6 +79,12 @@ class Dumper {
   Json other(const Location& l) {
     if (!m_sources || l.file == 0) return {};
     return m_sources->place(l);
+  }
+  Json other(const ObjectDesc& object) {
+    if (!object.texture_waits) return fields(object);
+    ObjectDesc settled = object;
+    settle_texture(settled);
+    return fields(settled);
   }
   // No part of what the scene says.
   Json other(const CompiledSlot&) { return {}; }

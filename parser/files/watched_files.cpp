@@ -3,54 +3,25 @@
 #include <cstdio>
 #include <memory>
 
+#define XXH_INLINE_ALL
+#include <xxhash.h>
+
 namespace lentray::parser {
-namespace {
-
-/// Takes bytes in any parts.
-class Sum {
- public:
-  void add(const char* bytes, std::size_t size) {
-    for (; size > 0; --size, ++bytes) {
-      m_word = m_word << 8 | static_cast<unsigned char>(*bytes);
-      if (++m_count % 8 == 0) mix();
-    }
-  }
-  std::uint64_t end() {
-    mix();
-    m_word = m_count;
-    mix();
-    return m_value;
-  }
-
- private:
-  void mix() {
-    m_value = (m_value ^ m_word) * 0x9e3779b97f4a7c15;
-    m_value ^= m_value >> 29;
-    m_word = 0;
-  }
-  std::uint64_t m_value = 0x6a09e667f3bcc908;  // any number
-  std::uint64_t m_word = 0, m_count = 0;
-};
-
-}  // namespace
-
-std::uint64_t checksum(std::string_view bytes) {
-  Sum sum;
-  sum.add(bytes.data(), bytes.size());
-  return sum.end();
-}
+std::uint64_t checksum(std::string_view bytes) { return XXH3_64bits(bytes.data(), bytes.size()); }
 
 std::optional<std::uint64_t> file_checksum(const std::string& path) {
   const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(std::fopen(path.c_str(), "rb"),
                                                              &std::fclose);
   if (!file) return std::nullopt;
-  Sum sum;
+  const std::unique_ptr<XXH3_state_t, XXH_errorcode (*)(XXH3_state_t*)> sum(XXH3_createState(),
+                                                                            &XXH3_freeState);
+  if (!sum || XXH3_64bits_reset(sum.get()) == XXH_ERROR) return std::nullopt;
   std::string part(std::size_t{1} << 16, '\0');
   while (const std::size_t got = std::fread(part.data(), 1, part.size(), file.get())) {
-    sum.add(part.data(), got);
+    XXH3_64bits_update(sum.get(), part.data(), got);
   }
   if (std::ferror(file.get())) return std::nullopt;
-  return sum.end();
+  return XXH3_64bits_digest(sum.get());
 }
 
 void WatchedFiles::saw(const std::string& path, std::uint64_t sum) const {

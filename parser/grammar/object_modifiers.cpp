@@ -157,6 +157,7 @@ constexpr std::array kModifiers{
 
 /// Looks, in the form in which their productions build them up.
 bool accept_object_looks(Parser& parser, Context& context, ObjectDesc& object) {
+  settle_texture(object);
   Looks looks{std::move(object.texture), object.rare->interior_texture, object.rare->interior};
   const bool accepted = accept_looks(parser, context.materials, looks);
   object.texture = std::move(looks.texture);

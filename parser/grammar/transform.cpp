@@ -25,10 +25,11 @@ Ref<ObjectDesc> moved(const Ref<ObjectDesc>& object, const TransformStep& step) 
 
 void move(ObjectDesc& object, const TransformStep& step) {
   const core::Transform& transform = step.transform;
-  object.transform.edit().add(transform);
-  if (!object.uv_mapping) {
-    if (object.texture) object.texture = transformed(std::move(object.texture), transform);
+  if (object.texture && !object.uv_mapping && !object.texture_waits) {
+    object.texture_waits = object.transform->is_identity() && can_wait(*object.texture);
+    if (!object.texture_waits) object.texture = transformed(std::move(object.texture), transform);
   }
+  object.transform.edit().add(transform);
   if (!object.rare.is_stored()) return;
   RareParts& rare = object.rare.edit();
   if (!object.uv_mapping && rare.interior_texture) {

@@ -54,8 +54,8 @@ void Directives::execute(const Token& directive) {
     case Keyword::kFor: return for_directive(directive);
     case Keyword::kBreak: return break_directive(directive);
     case Keyword::kMacro: return define_macro(directive);
-    case Keyword::kDeclare: return declare(directive, false);
-    case Keyword::kLocal: return declare(directive, true);
+    case Keyword::kDeclare: return declare(directive.where, false);
+    case Keyword::kLocal: return declare(directive.where, true);
     case Keyword::kUndef: return undef();
     case Keyword::kInclude: return include_directive();
     case Keyword::kVersion: return version();
@@ -88,6 +88,7 @@ void Directives::execute_unmarked(const Token& word) {
 
 bool Directives::leave_frame() {
   Frame& frame = m_in.stream.top();
+  if (frame.next_piece(m_in.options.piece_tokens)) return true;
   if (m_blocks.size() > frame.blocks) missing_end(*m_blocks.back().opener);
   if (frame.kind == FrameKind::kScene) return false;
   // Scopes hold symbols a description may still need nowhere: values are copied when read.
@@ -109,20 +110,14 @@ void Directives::include(const std::string& name, const Location& where) {
   std::optional<std::string> path = m_in.find_file(name, where);
   if (!path && !std::filesystem::path(name).has_extension())
     path = m_in.find_file(name + ".inc", where);
-  const auto list = path ? m_in.load(*path, where) : nullptr;
-  if (!list) {
+  Frame* const frame = path ? m_in.push_file(*path, where) : nullptr;
+  if (!frame) {
     std::string message = "cannot find the include file '" + shown_name(name) + "', looked in: .";
     if (!m_in.scene_folder.empty()) message += ", " + m_in.scene_folder;
     for (const std::string& folder : m_in.options.library_paths) message += ", " + folder;
     m_in.fail(where, message);
   }
-  Frame& frame = m_in.stream.push();
-  frame.kind = FrameKind::kInclude;
-  frame.list = list;
-  frame.cursor = list->begin();
-  frame.end = list->end();
-  frame.call = where;
-  frame.blocks = m_blocks.size();
+  frame->blocks = m_blocks.size();
   m_in.symbols.push_scope();
 }
 

@@ -22,7 +22,8 @@ class Directives {
   void execute_unmarked(const Token& word);
   /// Reads the arguments and goes on in the macro's body.
   void invoke(const Macro& macro, const Token& name);
-  /// At the end of a file or macro: back to what was read before. False at the scene's end.
+  /// At the end of a file or macro: back to what was read before; of a piece of a file, on to the next.
+  /// False at the scene's end.
   bool leave_frame();
 
   /// The condition of #ifdef and defined(): a name in parentheses. Reserved words and numbers are
@@ -76,8 +77,8 @@ class Directives {
   SymbolPtr plain_argument();
 
   // directives_declare.cpp
-  void declare(const Token& directive, bool local);
-  bool declare_plain(const Token& directive, bool local);
+  void declare(Location directive, bool local);
+  bool declare_plain(const Location& directive, bool local);
   void deprecation(std::string& text, bool& once);
   void undef();
   void end_of_declaration(const Value& value, const Location& where);

@@ -69,7 +69,7 @@ void Directives::deprecation(std::string& text, bool& once) {
 
 // Nearly all declarations: a number or a string for a plain identifier. The expression has no side
 // effects that could reach the symbol.
-bool Directives::declare_plain(const Token& directive, bool local) {
+bool Directives::declare_plain(const Location& directive, bool local) {
   const TokenList* list = nullptr;
   const Token* name = m_in.tokens.raw(list);
   if (!name || name->kind != TokenKind::kIdentifier) return false;
@@ -90,14 +90,14 @@ bool Directives::declare_plain(const Token& directive, bool local) {
     *held = stored(number);
   else
     symbol->value = stored(number);
-  end_of_declaration(symbol->value, directive.where);
+  end_of_declaration(symbol->value, directive);
   return true;
 }
 
 // Which symbol is meant is settled before the right side is read: a macro there may have symbols of
 // the same name, and may not have ended when the value is complete. An array element is held by its
 // array.
-void Directives::declare(const Token& directive, bool local) {
+void Directives::declare(const Location directive, bool local) {
   if (declare_plain(directive, local)) return;
   TokenReader& tokens = m_in.tokens;
   std::string deprecated;
@@ -133,7 +133,7 @@ void Directives::declare(const Token& directive, bool local) {
     }
   }
   // Last: looking for what follows may end the macro, and its symbols with it.
-  end_of_declaration(value, directive.where);
+  end_of_declaration(value, directive);
 }
 
 void Directives::end_of_declaration(const Value& value, const Location& where) {

@@ -35,6 +35,7 @@ std::optional<core::Transform> Expressions::accept_transform() {
 core::Matrix Expressions::matrix_rows() {
   TokenReader& tokens = m_in.tokens;
   core::Matrix rows{};
+  if (tokens.accept_literal_matrix(rows)) return rows;
   tokens.expect(Punct::kLess);
   tokens.enter();
   for (auto& row : rows) {

@@ -62,21 +62,39 @@ void Interpreter::warn(const Location& where, const std::string& message) {
   diagnostics.warn(where, message, stream.stack(names));
 }
 
-std::shared_ptr<const TokenList> Interpreter::load_scene(const std::string& path) {
+Frame* Interpreter::push_scene(const std::string& path) {
   auto text = sources.disk().read_scene(path);
   if (!text) return nullptr;
-  const std::uint32_t file = sources.add(path, std::move(*text));
-  return tokenise(file, sources.text(file), names);
+  scene_file = sources.add(path, std::move(*text));
+  Text scene{scene_file, nullptr};
+  return &push_text(scene);
 }
 
-std::shared_ptr<const TokenList> Interpreter::load(const std::string& path, const Location& where) {
-  const auto found = texts.find(path);
-  if (found != texts.end()) return found->second;
-  const auto file = ask_files(where, [&](Files&) { return sources.load(path); });
-  if (!file) return nullptr;
-  auto list = tokenise(*file, sources.text(*file), names);
-  texts.emplace(path, list);
-  return list;
+Frame* Interpreter::push_file(const std::string& path, const Location& where) {
+  auto found = texts.find(path);
+  if (found == texts.end()) {
+    const auto file = ask_files(where, [&](Files&) { return sources.load(path); });
+    if (!file) return nullptr;
+    found = texts.emplace(path, Text{*file, nullptr}).first;
+  }
+  Frame& frame = push_text(found->second);
+  frame.kind = FrameKind::kInclude;
+  frame.call = where;
+  return &frame;
+}
+
+Frame& Interpreter::push_text(Text& text) {
+  constexpr std::size_t kBytesAToken = 64;  // more than most have
+  const std::string_view bytes = sources.text(text.file);
+  Frame& frame = stream.push();
+  if (bytes.size() / kBytesAToken >= options.piece_tokens) {
+    frame.pieces = std::make_unique<TokenPieces>(text.file, bytes, names);
+    frame.next_piece(options.piece_tokens);
+    return frame;
+  }
+  if (!text.tokens) text.tokens = tokenise(text.file, bytes, names);
+  frame.begin(text.tokens);
+  return frame;
 }
 
 std::vector<std::string> Interpreter::search_folders() const {

@@ -57,7 +57,12 @@ struct Interpreter {
   std::string scene_folder;
   std::uint32_t scene_file = 0;  ///< of its locations
   bool is_in_scene(const Location& where) const { return where.file == scene_file; }
-  std::map<std::string, std::shared_ptr<const TokenList>> texts;  ///< by path
+  /// A file of the scene that has been read. A long one is made tokens each time that it is replayed.
+  struct Text {
+    std::uint32_t file = 0;
+    std::shared_ptr<const TokenList> tokens;
+  };
+  std::map<std::string, Text> texts;  ///< by path
 
   [[noreturn]] void fail(const Location& where, const std::string& message,
                          const std::string& shown = "");
@@ -84,10 +89,10 @@ struct Interpreter {
     }
   }
 
-  /// The scene itself as tokens; null if it cannot be read.
-  std::shared_ptr<const TokenList> load_scene(const std::string& path);
-  /// Reads a file as tokens, once; null if it cannot be read.
-  std::shared_ptr<const TokenList> load(const std::string& path, const Location& where);
+  /// A frame that replays the scene itself; null, and there is none, if it cannot be read.
+  Frame* push_scene(const std::string& path);
+  /// Likewise an include file, which is read once.
+  Frame* push_file(const std::string& path, const Location& where);
   /// In the current folder, the scene's and the libraries'; then as Windows would, with a warning.
   /// Fails if there is only one that may not be read.
   std::optional<std::string> find_file(const std::string& name, const Location& where);
@@ -119,6 +124,7 @@ struct Interpreter {
   }
 
  private:
+  Frame& push_text(Text& text);
   std::vector<std::string> search_folders() const;
   bool may_read(const std::string& path, std::string& refused) const;
   std::optional<std::string> search(const std::string& name, std::string& refused) const;

@@ -23,16 +23,10 @@ Parser::~Parser() = default;
 
 void Parser::open(const std::string& path) {
   Interpreter& in = m_impl->in;
-  const auto list = in.load_scene(path);
-  if (!list) in.diagnostics.fail({}, "cannot read the scene '" + path + "'");
-  in.scene_file = list->begin()->where.file;
+  if (!in.push_scene(path)) in.diagnostics.fail({}, "cannot read the scene '" + path + "'");
   in.scene_folder = std::filesystem::path(path).parent_path().string();
   in.declare_constants();
   in.symbols.declare_global(in.names.intern("input_file_name")).reset(path);
-  Frame& frame = in.stream.push();
-  frame.list = list;
-  frame.cursor = list->begin();
-  frame.end = list->end();
   const std::string& header = in.options.include_header;
   if (!header.empty()) in.directives.include(header, {});
 }

@@ -59,6 +59,8 @@ struct ParserOptions {
   Limits limits;
   /// The scene will not be rendered: of objects that cannot go wrong only the number is kept.
   bool only_check = false;
+  /// A text of more than 64 bytes for each is made tokens in pieces of so many: what a processor's cache holds.
+  std::size_t piece_tokens = 4096;
   bool raw_expressions = true;  ///< false: every expression by the grammar, to compare the two
   /// Set from outside to stop soon: Cancelled is thrown. Null: nobody asks.
   const std::atomic<bool>* cancel = nullptr;

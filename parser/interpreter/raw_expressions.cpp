@@ -6,13 +6,6 @@
 #include "parser/interpreter/raw_operators.h"
 
 namespace lentray::parser {
-namespace {
-
-/// The one token that stands for a vector of literal numbers.
-bool is_literal_vector(const Token& token) { return token.is(Punct::kLess) && token.name > 0; }
-
-}  // namespace
-
 RawExpressions::RawExpressions(Interpreter& in)
     : m_in(in), m_symbols(in.symbols), m_names(in.names) {}
 
@@ -26,7 +19,7 @@ RawExpressions::Item RawExpressions::read_item(const TokenList& list, const Toke
 bool RawExpressions::read_whole(const TokenList& list, const Token*& first, Level level,
                                 Number& value, Punct end) {
   m_list = &list;
-  if (is_literal_vector(*first) && ends_operand(first[1], end)) {
+  if (first->is_literal_vector() && ends_operand(first[1], end)) {
     literal_vector(*first++, value);
     return true;
   }
@@ -145,7 +138,7 @@ void RawExpressions::literal_vector(const Token& token, Number& n) const {
 
 bool RawExpressions::vector_literal(Number& n) {
   const Token& less = *m_at++;
-  if (is_literal_vector(less)) {
+  if (less.is_literal_vector()) {
     literal_vector(less, n);
     return true;
   }
@@ -225,7 +218,7 @@ bool RawExpressions::member(Number& n) {
 
 // The operand here, if it is the whole argument.
 bool RawExpressions::lone_operand(Number& n) {
-  if (is_literal_vector(*m_at) && ends_operand(m_at[1], Punct::kNone)) {
+  if (m_at->is_literal_vector() && ends_operand(m_at[1], Punct::kNone)) {
     literal_vector(*m_at++, n);
     return true;
   }

@@ -19,6 +19,8 @@ struct BinaryFormat {
 
 namespace {
 
+constexpr std::size_t kPiece = 500;  // tokens of a data file that are made at a time
+
 constexpr BinaryFormat kFormats[] = {
     {Keyword::kSint8, -128, 127, 1, false},
     {Keyword::kUint8, 0, 255, 1, false},
@@ -90,7 +92,7 @@ void ScriptFiles::open() {
               : std::nullopt;
     if (!number) m_in.fail(where, "cannot open '" + shown_name(file->path) + "' for reading");
     file->in = std::make_unique<TokenPieces>(*number, m_in.sources.text(*number), m_in.names);
-    file->in->next();
+    file->in->next(kPiece);
   } else {
     const bool append = tokens.accept(Keyword::kAppend);
     if (!append) tokens.expect(Keyword::kWrite);
@@ -190,8 +192,8 @@ void ScriptFiles::write_binary(std::string& text, const BinaryFormat& format) {
 
 double ScriptFiles::read_number(ScriptFile& file) {
   double sign = 1.0;
-  const auto& all = file.in->list().tokens;
-  const std::size_t size = file.in->list().size();
+  const auto& all = file.in->list()->tokens;
+  const std::size_t size = file.in->list()->size();
   for (; file.position < size; ++file.position) {
     const Token& t = all[file.position];
     if (t.is(Punct::kMinus))
@@ -223,23 +225,23 @@ bool ScriptFiles::read_plain(ScriptFile& file, Value& value) {
 
 // False at the end of the file.
 bool ScriptFiles::read_value(ScriptFile& file, Value& value) {
-  if (file.position >= file.in->list().size()) {
+  if (file.position >= file.in->list()->size()) {
     if (read_plain(file, value)) return true;
     file.position = 0;
-    file.ended = !file.in->next();
+    file.ended = !file.in->next(kPiece);
     if (file.ended) return false;
   }
-  const auto& all = file.in->list().tokens;
-  const std::size_t size = file.in->list().size();
+  const auto& all = file.in->list()->tokens;
+  const std::size_t size = file.in->list()->size();
   const Token& t = all[file.position];
   const auto at = [&](Punct p) { return file.position < size && all[file.position].is(p); };
   if (t.kind == TokenKind::kString) {
     value = m_in.names.string(t.name);
     ++file.position;
-  } else if (t.is(Punct::kLess) && t.name > 0) {
+  } else if (t.is_literal_vector()) {
     Number n;
     n.size = static_cast<int>(t.name);
-    std::copy_n(file.in->list().components.data() + t.jump, t.name, n.v.data());
+    std::copy_n(file.in->list()->components.data() + t.jump, t.name, n.v.data());
     n.is_colour = n.size == 5;
     value = n;
     ++file.position;

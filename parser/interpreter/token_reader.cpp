@@ -176,11 +176,23 @@ void TokenReader::subscripts(const Token& raw, std::shared_ptr<ArrayValue> array
   show(token);
 }
 
+bool TokenReader::accept_literal_matrix(core::Matrix& rows) {
+  const Token& t = peek_operand();
+  if (!t.is_literal_matrix()) return false;
+  const double* component = m_stream.top().list->components.data() + t.jump;
+  for (auto& row : rows) {
+    for (double& x : row) x = *component++;
+  }
+  m_last = t.where;
+  m_ready = false;
+  return true;
+}
+
 // `<` has been shown: it may stand for the whole vector. Or else the tokens behind it, if they are
 // numbers and nothing else up to `>`, become n's components and are consumed with it.
 bool TokenReader::accept_literal_vector(Number& n) {
   Frame& frame = m_stream.top();
-  if (m_token.name > 0) {
+  if (m_token.is_literal_vector()) {
     n.size = static_cast<int>(m_token.name);
     std::copy_n(frame.list->components.data() + m_token.jump, m_token.name, n.v.data());
     m_last = m_token.where;

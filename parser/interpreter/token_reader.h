@@ -74,6 +74,8 @@ class TokenReader {
   /// At `<`: reads a vector of literal numbers to its end, the commonest of all. False, and nothing
   /// read, if anything else stands there.
   bool accept_literal_vector(Number& n);
+  /// The same of the twelve numbers of a matrix, at what `matrix` is before.
+  bool accept_literal_matrix(core::Matrix& rows);
   /// The token that comes next, if it stands in the text just so, and the list it is of; or null.
   /// What RawExpressions can read begins there; go_on_at() says where it ended.
   const Token* raw(const TokenList*& list) const {

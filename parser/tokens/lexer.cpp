@@ -65,35 +65,50 @@ bool is_unmarked_directive(Keyword k) {
   return k == Keyword::kDeclare || k == Keyword::kInclude || k == Keyword::kDefault;
 }
 
+/// What #end closes.
+bool opens_block(Keyword k) {
+  switch (k) {
+    case Keyword::kIf:
+    case Keyword::kIfdef:
+    case Keyword::kIfndef:
+    case Keyword::kWhile:
+    case Keyword::kFor:
+    case Keyword::kSwitch:
+    case Keyword::kMacro: return true;
+    default: return false;
+  }
+}
+
 using Tokens = decltype(TokenList::tokens);
 
 }  // namespace
 
 class Lexer {
  public:
-  Lexer(std::string_view text, NameTable& names, TokenList& list)
-      : m_file(list.file), m_text(text), m_names(names), m_list(list), m_tokens(list.tokens) {}
+  Lexer(std::uint32_t file, std::string_view text, NameTable& names)
+      : m_file(file), m_text(text), m_names(names) {}
 
-  void run() {
+  /// The rest of the text.
+  void run(TokenList& list) {
+    begin(list);
     while (skip_space()) one();
-    link_directives();
-    add(TokenKind::kEnd);
+    end();
   }
 
-  /// On to the first comma outside vectors that follows so many tokens. False if nothing was left.
-  bool run_on(std::size_t count) {
-    int open = 0;
+  /// The next piece, of at least so many tokens. False if nothing was left.
+  bool run_on(TokenList& list, std::size_t least) {
+    begin(list);
+    Opened opened;
     while (skip_space()) {
-      const std::size_t before = m_tokens.size();
+      const std::size_t before = m_tokens->size();
       one();
-      if (m_tokens.size() != before + 1) continue;
-      const Token& last = m_tokens.back();
-      if (last.is(Punct::kLess)) open = last.name == 0;  // no whole vector
-      if (last.is(Punct::kGreater)) open = 0;
-      if (last.is(Punct::kComma) && open == 0 && m_tokens.size() >= count) break;
+      if (m_tokens->size() == before + 1 && opened.can_end_behind(m_tokens->back()) &&
+          m_tokens->size() >= least) {
+        break;
+      }
     }
-    const bool any = !m_tokens.empty();
-    add(TokenKind::kEnd);
+    const bool any = !m_tokens->empty();
+    end();
     return any;
   }
 
@@ -131,6 +146,42 @@ class Lexer {
   }
 
  private:
+  /// What is open where a text is being cut.
+  struct Opened {
+    bool vector = false;
+    int brackets = 0, blocks = 0;
+
+    bool can_end_behind(const Token& last) {
+      if (last.kind == TokenKind::kDirective) {
+        blocks += opens_block(last.keyword) - (last.keyword == Keyword::kEnd);
+        return false;
+      }
+      if (last.kind != TokenKind::kPunct) return false;
+      switch (last.punct) {
+        case Punct::kLess: vector = last.name == 0; break;  // it is no whole one
+        case Punct::kGreater: vector = false; break;
+        case Punct::kLeftParen:
+        case Punct::kLeftSquare: ++brackets; break;
+        case Punct::kRightParen:
+        case Punct::kRightSquare: --brackets; break;
+        case Punct::kComma:
+        case Punct::kRightCurly: return !vector && brackets <= 0 && blocks <= 0;
+        default: break;
+      }
+      return false;
+    }
+  };
+
+  void begin(TokenList& list) {
+    list.file = m_file;
+    m_list = &list;
+    m_tokens = &list.tokens;
+  }
+  void end() {
+    link_directives();
+    add(TokenKind::kEnd);
+  }
+
   void skip_blanks() {
     while (is_space(here()) && m_pos < m_text.size()) ++m_pos;
   }
@@ -142,7 +193,7 @@ class Lexer {
 
   // The next token, made where it stays: one that is copied at once has to wait for its own bytes.
   Token& add(TokenKind kind) {
-    Token& t = m_tokens.emplace_back();
+    Token& t = m_tokens->emplace_back();
     t.kind = kind;
     t.where.file = m_file;
     t.where.offset = static_cast<std::uint32_t>(m_pos);
@@ -156,7 +207,7 @@ class Lexer {
     t.kind = TokenKind::kBad;
     t.where = where;
     t.name = m_names.add_string({}, std::move(message));
-    m_tokens.push_back(t);
+    m_tokens->push_back(t);
   }
 
   // Past spaces and comments; false at the end of the text.
@@ -395,9 +446,9 @@ class Lexer {
   // Whether what stands at `i` is an operand for sure: `<` is no comparison there.
   bool expects_operand(std::size_t i) const {
     if (i == 0) return false;
-    const Token& before = m_tokens[i - 1];
+    const Token& before = (*m_tokens)[i - 1];
     if (before.kind == TokenKind::kKeyword) {
-      return !starts_operand(before.keyword) && i > 1 && !m_tokens[i - 2].is(Punct::kDot);
+      return !starts_operand(before.keyword) && i > 1 && !(*m_tokens)[i - 2].is(Punct::kDot);
     }
     if (before.kind != TokenKind::kPunct) return false;
     switch (before.punct) {
@@ -416,9 +467,12 @@ class Lexer {
   // At a `<`: numbers as most stand in a text, without comments, up to a `>` are one token where it can only
   // begin a vector. Nothing is read otherwise.
   bool vector() {
-    constexpr std::size_t kMost = 5;
-    if (!expects_operand(m_tokens.size())) return false;
-    std::vector<double>& components = m_list.components;
+    constexpr std::size_t kMost = 5, kOfMatrix = 12;
+    const std::size_t at_token = m_tokens->size();
+    if (!expects_operand(at_token)) return false;
+    const bool is_matrix = at_token > 0 && (*m_tokens)[at_token - 1].is(Keyword::kMatrix);
+    const std::size_t most = is_matrix ? kOfMatrix : kMost;
+    std::vector<double>& components = m_list->components;
     const std::size_t start = m_pos, first = components.size();
     bool ends_in_number;
     do {
@@ -434,10 +488,10 @@ class Lexer {
       const double number = read_number();
       components.push_back(minus ? -number : number);
       skip_blanks();
-    } while (here() == ',' && components.size() < first + kMost);
+    } while (here() == ',' && components.size() < first + most);
     const std::size_t end = m_pos, count = components.size() - first;
     m_pos = start;
-    if (!ends_in_number || at(end) != '>' || at(end + 1) == '=' || count < 2) {
+    if (!ends_in_number || at(end) != '>' || at(end + 1) == '=' || count < (is_matrix ? most : 2)) {
       components.resize(first);
       return false;
     }
@@ -455,34 +509,30 @@ class Lexer {
     struct Open {
       std::size_t first, last;
     };
+    Tokens& tokens = *m_tokens;
     std::vector<Open> open;
-    for (std::size_t i = 0; i < m_tokens.size(); ++i) {
-      Token& t = m_tokens[i];
+    for (std::size_t i = 0; i < tokens.size(); ++i) {
+      Token& t = tokens[i];
       if (t.kind != TokenKind::kDirective) continue;
+      if (opens_block(t.keyword)) {
+        open.push_back({i, i});
+        t.jump = tokens.size();
+        continue;
+      }
       switch (t.keyword) {
-        case Keyword::kIf:
-        case Keyword::kIfdef:
-        case Keyword::kIfndef:
-        case Keyword::kWhile:
-        case Keyword::kFor:
-        case Keyword::kSwitch:
-        case Keyword::kMacro:
-          open.push_back({i, i});
-          t.jump = m_tokens.size();
-          break;
         case Keyword::kElse:
         case Keyword::kElseif:
         case Keyword::kCase:
         case Keyword::kRange:
-          t.jump = m_tokens.size();
+          t.jump = tokens.size();
           if (!open.empty()) {
-            m_tokens[open.back().last].jump = i;
+            tokens[open.back().last].jump = i;
             open.back().last = i;
           }
           break;
         case Keyword::kEnd:
           if (!open.empty()) {
-            m_tokens[open.back().last].jump = i;
+            tokens[open.back().last].jump = i;
             t.jump = open.back().first;
             open.pop_back();
           } else {
@@ -497,36 +547,30 @@ class Lexer {
   const std::uint32_t m_file;
   const std::string_view m_text;
   NameTable& m_names;
-  TokenList& m_list;
-  Tokens& m_tokens;
+  TokenList* m_list = nullptr;
+  Tokens* m_tokens = nullptr;
   std::size_t m_pos = 0;
 };
 
 std::shared_ptr<const TokenList> tokenise(std::uint32_t file, std::string_view text,
                                           NameTable& names) {
   auto list = std::make_shared<TokenList>();
-  list->file = file;
-  // Of a long list nothing is moved; what a reservation does not use is never made by the system.
-  constexpr std::size_t kLong = 1 << 20;
-  list->tokens.reserve(text.size() / (text.size() > kLong ? 2 : 4) + 1);
-  if (text.size() > kLong) list->components.reserve(text.size() / 4);
-  Lexer(text, names, *list).run();
-  if (text.size() <= kLong) list->tokens.shrink_to_fit();
+  list->tokens.reserve(text.size() / 4 + 1);
+  Lexer(file, text, names).run(*list);
+  list->tokens.shrink_to_fit();
   return list;
 }
 
-TokenPieces::TokenPieces(std::uint32_t file, std::string_view text, NameTable& names) {
-  m_list.file = file;
-  m_lexer = std::make_unique<Lexer>(text, names, m_list);
-}
+TokenPieces::TokenPieces(std::uint32_t file, std::string_view text, NameTable& names)
+    : m_list(std::make_shared<TokenList>()), m_lexer(std::make_unique<Lexer>(file, text, names)) {}
 
 TokenPieces::~TokenPieces() = default;
 
-bool TokenPieces::next() {
-  constexpr std::size_t kPiece = 500;
-  m_list.tokens.clear();
-  m_list.components.clear();
-  return m_lexer->run_on(kPiece);
+bool TokenPieces::next(std::size_t least) {
+  if (m_list.use_count() > 1) m_list = std::make_shared<TokenList>();
+  m_list->tokens.clear();
+  m_list->components.clear();
+  return m_lexer->run_on(*m_list, least);
 }
 
 PlainValue TokenPieces::plain(double& number, std::string_view& string) {

@@ -22,8 +22,8 @@ struct TokenList {
   std::size_t size() const { return tokens.size() - 1; }
   const Token* begin() const { return tokens.data(); }
   const Token* end() const { return tokens.data() + size(); }
-  /// Of vectors of literal numbers where `<` can only begin one, of which data are made: it is the
-  /// only token, `jump` says where its components stand here and `name` how many there are.
+  /// Of vectors of literal numbers where `<` can only begin one, of which data are made, and of `matrix`: it
+  /// is the only token, `jump` says where its components stand here and `name` how many there are.
   std::vector<double> components;
 };
 
@@ -33,22 +33,23 @@ std::shared_ptr<const TokenList> tokenise(std::uint32_t file, std::string_view t
 /// What TokenPieces::plain() found.
 enum class PlainValue : std::uint8_t { kNone, kNumber, kString };
 
-/// The same in pieces, for data that is read value by value: a piece ends behind a comma that stands
-/// outside `<>`, or with the text.
+/// The same in pieces, so that of a long text few tokens are held at a time: a piece ends with the text, or
+/// behind a comma or `}` that stands in no vector, parentheses, brackets, conditional, loop or macro.
 class TokenPieces {
  public:
   TokenPieces(std::uint32_t file, std::string_view text, NameTable& names);
   ~TokenPieces();
-  /// Puts the next piece in the list's place; false, and the list is empty, if there is none.
-  bool next();
-  const TokenList& list() const { return m_list; }
+  /// Makes the next piece, of at least so many tokens if the text has them; false, and the list is empty, if
+  /// nothing is left. The list before is used again unless somebody else holds it.
+  bool next(std::size_t least);
+  const std::shared_ptr<TokenList>& list() const { return m_list; }
   /// What stands behind the piece at hand, if it is a number, or a string that means what it says,
   /// and a comma: read without being made tokens. The string is of the text. Nothing is read, and
   /// kNone returned, if anything else stands there.
   PlainValue plain(double& number, std::string_view& string);
 
  private:
-  TokenList m_list;
+  std::shared_ptr<TokenList> m_list;
   std::unique_ptr<class Lexer> m_lexer;
 };
 

@@ -1,6 +1,6 @@
 // The raw tokens of a scene in the order they are read: a stack of frames, each a range of a token
-// list being replayed (a file, the body of a macro). Loops move a frame's cursor back. Nothing is
-// copied. Directives and names have no meaning here.
+// list being replayed (a file or a piece of it, the body of a macro). Loops move a frame's cursor back.
+// Nothing is copied. Directives and names have no meaning here.
 #pragma once
 
 #include <memory>
@@ -19,11 +19,27 @@ struct Frame {
   std::shared_ptr<const TokenList> list;
   const Token* cursor = nullptr;
   const Token* end = nullptr;
-  NameId name = 0;         ///< of the macro
+  NameId name = 0;  ///< of the macro
+  std::unique_ptr<TokenPieces>
+      pieces;              ///< of a long file, whose piece at hand `list` is; else null
   Location call;           ///< where the macro was invoked, the file included
   std::size_t blocks = 0;  ///< open conditionals and loops when the frame began
 
   const Token* token(std::size_t index) const { return list->tokens.data() + index; }
+  void begin(std::shared_ptr<const TokenList> tokens) {
+    list = std::move(tokens);
+    cursor = list->begin();
+    end = list->end();
+  }
+  /// At the end of a piece: on to the next one. Tokens of the last one are gone. False if there is none.
+  bool next_piece(std::size_t least) {
+    if (!pieces) return false;
+    list.reset();
+    const bool any = pieces->next(least);
+    begin(pieces->list());
+    if (!any) pieces.reset();
+    return any;
+  }
 };
 
 class TokenStream {

@@ -3,6 +3,7 @@
 
 #include <memory>
 
+#include "core/material/blend_map.h"
 #include "parser/base/edit.h"
 #include "parser/descriptions/texture.h"
 #include "tests/unit/scene_text.h"
@@ -36,6 +37,43 @@ TEST(UnitDescriptionsShared, ATransformLeavesTheDeclaredTextureWhereItIs) {
   ASSERT_EQ(declared.size(), 1u);
   EXPECT_EQ(moved[0].transform->point({0, 0, 0}), Vec3(1, 0, 0));
   EXPECT_EQ(declared[0].transform->point({0, 0, 0}), Vec3(0, 0, 0));
+}
+
+// It is moved when it is compiled, or when the statement goes on to change it.
+TEST(UnitDescriptionsShared, ATextureThatOnlyItsObjectMovesIsShared) {
+  SceneText s(
+      "#declare T = texture { pigment { checker } }; "
+      "#for (I, 1, 2) sphere { 0, 1 texture { T } translate x*I scale 2 } #end "
+      "sphere { 0, 1 texture { T } translate x scale 2 finish { phong 1 } }");
+  EXPECT_EQ(s.object(0).texture, s.object(1).texture);
+  EXPECT_TRUE(s.object(0).texture->layers[0].pigment->pattern.placement.empty());
+  for (const std::size_t i : {0u, 2u}) {
+    ObjectDesc object = s.object(i);
+    EXPECT_EQ(object.texture_waits, i == 0);
+    settle_texture(object);
+    const auto& placement = object.texture->layers[0].pigment->pattern.placement;
+    ASSERT_EQ(placement.size(), 1u);
+    EXPECT_EQ(placement[0].transform->point({0, 0, 0}), Vec3(2, 0, 0));
+  }
+  const core::SceneParts parts = s.build();
+  EXPECT_NE(parts.objects[0]->attributes().texture, parts.objects[1]->attributes().texture);
+}
+
+// Colours alone are the same wherever they are moved.
+TEST(UnitDescriptionsShared, ATextureWithoutAPlaceIsCompiledOnce) {
+  SceneText s(
+      "#declare T = texture { pigment { rgb 1 } finish { phong 1 } }; "
+      "#for (I, 1, 3) sphere { 0, 1 texture { T } translate x*I } #end");
+  const core::SceneParts parts = s.build();
+  EXPECT_EQ(parts.objects[0]->attributes().texture, parts.objects[2]->attributes().texture);
+  EXPECT_EQ(parts.textures.size(), 1u);
+}
+
+TEST(UnitDescriptionsShared, CopiesOfABlendMapShareTheEntries) {
+  const core::BlendMap<double> map({{0.0, 3.0}, {1.0, 5.0}});
+  const core::BlendMap<double> copy = map;
+  EXPECT_EQ(&copy.items(), &map.items());
+  EXPECT_EQ(*copy.find(0.5).after, 5.0);
 }
 
 TEST(UnitDescriptionsShared, AFinishThatALoopRepeatsIsOne) {

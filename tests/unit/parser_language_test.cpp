@@ -314,7 +314,7 @@ TEST(UnitParserMacros, LocalsEndWithTheMacroThoughASemicolonFollows) {
   EXPECT_EQ(debug_of("#macro M() #declare L = \"text\"; #end M(); #debug L"), "text");
 }
 
-// A long file is read in pieces, which end at no value.
+// A long text is made tokens in pieces, which end behind values.
 TEST(UnitParserLexer, PiecesHoldTheSameTokens) {
   using parser::Punct;
   std::string text;
@@ -326,9 +326,9 @@ TEST(UnitParserLexer, PiecesHoldTheSameTokens) {
   const auto whole = parser::tokenise(1, text, names);
   parser::TokenPieces pieces(1, text, names);
   std::size_t at = 0, count = 0;
-  while (pieces.next()) {
+  while (pieces.next(500)) {
     ++count;
-    const auto& list = pieces.list();
+    const parser::TokenList& list = *pieces.list();
     const bool last =
         list.tokens[list.size() - 1].where.offset == whole->tokens[whole->size() - 1].where.offset;
     EXPECT_TRUE(last || list.tokens[list.size() - 1].is(Punct::kComma));
