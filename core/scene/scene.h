@@ -78,11 +78,12 @@ struct SceneParts {
   std::vector<PhotonTarget> photon_targets;  ///< in the order in which they are shot at
   std::vector<std::string> not_rendered;     ///< features parsed and kept but not rendered yet
   std::vector<WatchedSlope> slopes;          ///< to report on after rendering
+  std::uint64_t picture_bytes = 0;           ///< of pictures that textures hold
   std::size_t deepest = 1;                   ///< most levels of objects and looks in each other
 };
 
 struct CompileOptions {
-  bool general_path = false;  ///< no specialisation, at the same bits: to see what it saves
+  bool general_path = false;  ///< as if it had everything, at the same bits: to see what that saves
   Accelerator accelerator = Accelerator::kBvh;
 };
 
