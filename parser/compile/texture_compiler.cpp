@@ -391,6 +391,7 @@ std::shared_ptr<const core::Medium> TextureCompiler::medium(const Ref<MediaDesc>
 }
 
 bool TextureCompiler::has_subsurface() const { return m_impl->has_subsurface; }
+std::uint64_t TextureCompiler::picture_bytes() const { return m_impl->pictures.bytes(); }
 const FinishDesc* TextureCompiler::too_opaque() const { return m_impl->too_opaque.get(); }
 const std::set<std::string>& TextureCompiler::not_yet() const { return m_impl->not_yet; }
 bool TextureCompiler::has_crand() const { return m_impl->has_crand; }
