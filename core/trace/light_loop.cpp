@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "core/light/area_light.h"
 #include "core/object/leaf.h"
 #include "core/scene/tolerances.h"
 
@@ -16,6 +17,22 @@ bool LightLoop::pass_projector(const Object& projector, ShadowQuery& query) cons
   }
   query.distance = hit.t - kClear + m_tolerance;
   return true;
+}
+
+Rgb LightLoop::of_area(const Rgb& colour, const LightRay& ray, ShadowQuery& query) {
+  const Light& source = m_scene.lights()[query.light];
+  query.spot = nullptr;
+  auto probe = [&](const Vec3& offset, std::uint32_t sample) {
+    const LightRay to_sample = light_ray(source, query.ray.origin, offset);
+    query.ray.direction = to_sample.direction;
+    query.distance = to_sample.distance;
+    query.sample = sample;
+    return colour * left(query);
+  };
+  RandomSequence places(branch_key(query.key, query.light), RandomSequence::Use::kLightArea);
+  auto random_number = [&] { return places.next(); };
+  const AreaAxes axes = area_axes(source.area, ray.direction);
+  return AreaSampler(source.area, axes, m_context.area, probe, random_number).colour();
 }
 
 void LightLoop::look_ahead(const LightLists& lists, const Vec3& normal, const Hit& hit,

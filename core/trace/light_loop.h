@@ -19,7 +19,6 @@
 #include <vector>
 
 #include "core/accel/light_buffer.h"
-#include "core/light/area_light.h"
 #include "core/light/light_ray.h"
 #include "core/object/leaf.h"
 #include "core/scene/tolerances.h"
@@ -215,21 +214,7 @@ class LightLoop {
   /// False if the ray misses the projector. What lies behind it throws no shadow.
   bool pass_projector(const Object& projector, ShadowQuery& query) const;
 
-  Rgb of_area(const Rgb& colour, const LightRay& ray, ShadowQuery& query) {
-    const Light& source = m_scene.lights()[query.light];
-    query.spot = nullptr;
-    auto probe = [&](const Vec3& offset, std::uint32_t sample) {
-      const LightRay to_sample = light_ray(source, query.ray.origin, offset);
-      query.ray.direction = to_sample.direction;
-      query.distance = to_sample.distance;
-      query.sample = sample;
-      return colour * left(query);
-    };
-    RandomSequence places(branch_key(query.key, query.light), RandomSequence::Use::kLightArea);
-    auto random_number = [&] { return places.next(); };
-    const AreaAxes axes = area_axes(source.area, ray.direction);
-    return AreaSampler(source.area, axes, m_context.area, probe, random_number).colour();
-  }
+  Rgb of_area(const Rgb& colour, const LightRay& ray, ShadowQuery& query);
 
   void find_unmet(const LightLists& lists, const Vec3& normal, const Hit& hit, bool from_behind,
                   const Vec3& point, LightsAtPoint& known) const;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/light/area_light.h"
 #include "core/photon/photon_map.h"
 #include "core/trace/illumination.h"
 #include "core/trace/indirect_light.h"
