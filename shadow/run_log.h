@@ -41,7 +41,6 @@ class RunLog final : public core::ShadowTesterFactory {
   /// Both must outlive the testers that are made.
   explicit RunLog(const core::ShadowTesterFactory& testers) : m_testers(testers) {}
   std::unique_ptr<core::ShadowTester> make(core::ThreadContext& context) const override;
-  const core::ShadowTesterFactory& unwatched() const override { return m_testers.unwatched(); }
   /// One a light of the scene; empty before a tester has gone away.
   const std::vector<LightRuns>& lights() const { return m_lights; }
 

@@ -23,7 +23,6 @@ class RunMeter final : public core::ShadowTesterFactory {
   RunMeter(const core::ShadowTesterFactory& testers, std::uint32_t lens)
       : m_testers(testers), m_lens(lens) {}
   std::unique_ptr<core::ShadowTester> make(core::ThreadContext& context) const override;
-  const core::ShadowTesterFactory& unwatched() const override { return m_testers.unwatched(); }
 
   /// Pixels that a shadow goes on in that direction, on average of late; 0: nothing was seen yet.
   double run_length(Neighbour neighbour) const;

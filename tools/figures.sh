@@ -84,7 +84,6 @@ figures() {
   $1 radiosity-sharing docs/global.md '(5 min)' 'python3 tests/bench/radiosity_sharing.py'
   $1 auto-cost docs/rendering.md '(30 min)' \
     'python3 tests/bench/auto_cost.py --every 9 --size 64x48'
-  $1 progress docs/rendering.md '(10 min)' 'python3 tests/bench/progress_honesty.py'
 
   $1 model-deviations docs/paper.md '(1 min)' 'lentray-model'
   $1 model-figures docs/paper.md '(1 min)' \

@@ -3,8 +3,6 @@
 #   cmake --install build/release --prefix X
 include(GNUInstallDirs)
 
-set(LENTRAY_PROGRAMS lentray lentray-batch lentray-diff lentray-merge lentray-model lentray-grouping
-  lentray-chart lentray-print lentray-views)
 set(LENTRAY_MODULES lib/lentray)  # a folder of the package's own: no multiarch
 # Programs of the build tree find the module beside themselves, installed ones along this path.
 set_target_properties(${LENTRAY_PROGRAMS} PROPERTIES INSTALL_RPATH "$ORIGIN/../${LENTRAY_MODULES}")

@@ -25,7 +25,7 @@ struct ShadowCounts {
 
 struct Counters {
   std::uint64_t camera_rays = 0, reflected_rays = 0, refracted_rays = 0;
-  std::uint64_t cut_rays = 0;     ///< so many surfaces lay before them that the stack ended
+  std::uint64_t cut_rays = 0;     ///< kMostRays surfaces lay before them
   std::uint64_t dark_pixels = 0;  ///< camera gave no ray (total internal reflection in the sheet)
   std::uint64_t antialiased_pixels = 0;  ///< that got more samples than antialiasing gives to all
   std::uint64_t bounds_tests = 0, primitive_tests = 0;

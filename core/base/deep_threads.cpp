@@ -10,8 +10,15 @@
 namespace lentray::core {
 namespace {
 
-/// Some 100,000 surfaces behind one another.
-constexpr std::size_t kThreadStackBytes = std::size_t{256} << 20;
+/// Sanitizers follow the stacks that threads are started with, and take more of them.
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+constexpr bool kMaySwitchStacks = false;
+constexpr std::size_t kStackBytesARay = std::size_t{12} << 10;
+#else
+constexpr bool kMaySwitchStacks = true;
+constexpr std::size_t kStackBytesARay = std::size_t{3} << 10;
+#endif
+constexpr std::size_t kThreadStackBytes = 2 * kMostRays * kStackBytesARay;
 constexpr std::size_t kDeepestStackBytes = std::size_t{16} << 30;
 
 /// Set while the thread runs on a stack that it was not started with.
@@ -35,13 +42,6 @@ void* call(void* work) {
 /// A context starts with a function without arguments.
 thread_local const std::function<void()>* t_work = nullptr;
 void call_work() { (*t_work)(); }
-
-/// Sanitizers follow the stacks that threads are started with.
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
-constexpr bool kMaySwitchStacks = false;
-#else
-constexpr bool kMaySwitchStacks = true;
-#endif
 
 }  // namespace
 
@@ -89,7 +89,7 @@ void run_on_threads(unsigned count, std::size_t levels, const std::function<void
     threads.push_back(thread);
   }
   pthread_attr_destroy(&attributes);
-  if (threads.empty()) work();
+  if (threads.empty()) run_on_deep_stack(work);
   for (const pthread_t thread : threads) pthread_join(thread, nullptr);
 }
 

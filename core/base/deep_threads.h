@@ -12,12 +12,15 @@ namespace lentray::core {
 /// them: reading, building, tracing, destroying (`ImageNestedScenes`).
 constexpr std::size_t kStackBytesALevel = std::size_t{32} << 10;
 
+/// Rays that go on from one another, at most: half of each stack has room for them, the other half for what
+/// the last of them meets.
+constexpr std::size_t kMostRays = 50'000;
+
 /// The stack that the caller runs on; it grows downwards. Empty if the system does not tell.
 struct StackRange {
   std::uintptr_t lowest = 0;
   std::size_t bytes = 0;
 
-  std::uintptr_t middle() const { return lowest + bytes / 2; }
   /// How many levels fit into half of it.
   std::size_t levels() const { return bytes / 2 / kStackBytesALevel; }
 };
@@ -28,7 +31,7 @@ StackRange own_stack();
 void run_on_deep_stack(const std::function<void()>& work);
 
 /// Runs `work`, which must not throw, on `count` threads at once and waits for all. On fewer if the
-/// system gives no more; on the caller's own if it gives none. Half of each stack has room for
+/// system gives no more; in the caller's, on a deep stack, if it gives none. Half of each stack has room for
 /// `levels` of objects and looks in each other.
 void run_on_threads(unsigned count, std::size_t levels, const std::function<void()>& work);
 

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <atomic>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -13,8 +12,6 @@
 
 namespace lentray::core {
 namespace {
-
-std::atomic<std::uint64_t> g_bytes{0};  ///< of all pictures
 
 constexpr double kTwoPi = 2.0 * std::numbers::pi;
 
@@ -177,16 +174,6 @@ class MaterialMap final : public Texture {
 };
 
 }  // namespace
-
-Picture::Count::Count(std::size_t bytes) : m_bytes(bytes) { g_bytes += bytes; }
-Picture::Count::~Count() { g_bytes -= m_bytes; }
-Picture::Count& Picture::Count::operator=(const Count& other) {
-  g_bytes += other.m_bytes - m_bytes;
-  m_bytes = other.m_bytes;
-  return *this;
-}
-
-std::uint64_t Picture::bytes_of_all() { return g_bytes; }
 
 std::size_t Picture::bytes() const {
   return m_colours.capacity() * sizeof(Colour) + m_entries.capacity() + m_bytes.capacity() +

@@ -49,8 +49,7 @@ class Picture {
   /// Whether all pixels are as clear as each other: samples without an alpha channel.
   bool is_evenly_clear() const { return m_colours.empty() && m_channels % 2 == 1; }
 
-  /// Of all pictures that there are in the process.
-  static std::uint64_t bytes_of_all();
+  std::size_t bytes() const;
 
   /// filter and transmit that a scene gives to all: entries of a palette are set, others added to.
   void clear_all(std::optional<double> filter, std::optional<double> transmit);
@@ -62,19 +61,6 @@ class Picture {
   template <typename Value>
   Colour of_samples(const std::vector<Value>& samples, std::size_t pixel) const;
 
-  /// Adds its bytes to those of all for as long as it lives.
-  class Count {
-   public:
-    explicit Count(std::size_t bytes);
-    Count(const Count& other) : Count(other.m_bytes) {}
-    Count& operator=(const Count& other);
-    ~Count();
-
-   private:
-    std::size_t m_bytes;
-  };
-  std::size_t bytes() const;
-
   int m_width, m_height, m_channels = 0;
   bool m_has_alpha = false;
   std::vector<Colour> m_colours;  ///< of pixels, or of the palette
@@ -82,7 +68,6 @@ class Picture {
   std::vector<std::uint16_t> m_words;
   std::vector<float> m_values;
   float m_filter = 0.0f, m_transmit = 0.0f;  ///< added to all
-  Count m_count{bytes()};
 };
 
 enum class PictureShape { kPlanar = 0, kSpherical = 1, kCylindrical = 2, kTorus = 5 };

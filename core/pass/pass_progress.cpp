@@ -5,8 +5,6 @@
 namespace lentray::core {
 namespace {
 
-constexpr std::chrono::milliseconds kSilence{1000}, kBetween{200};
-
 double seconds(std::chrono::steady_clock::duration time) {
   return std::chrono::duration<double>(time).count();
 }

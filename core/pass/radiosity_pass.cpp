@@ -37,8 +37,8 @@ class RadiosityPass::Levels {
   Levels(const RadiosityPassSetup& setup, const Illumination& light, IrradianceCache& cache,
          RadiosityReport& report, PassRun& run)
       : m_setup(setup), m_cache(cache), m_report(report), m_run(run),
-        m_threads(setup.scene, light, setup.shadows.unwatched(), run),
-        m_context(setup.scene, false, &light), m_shadows(setup.shadows.unwatched().make(m_context)),
+        m_threads(setup.scene, light, setup.shadows, run), m_context(setup.scene, false, &light),
+        m_shadows(setup.shadows.make(m_context)),
         m_blocks(pretrace_blocks(setup.width, setup.height)), m_most_samples(most_samples(setup)) {}
 
   void run() {

@@ -24,12 +24,7 @@ class PlainBand final : public OnePassBand {
     const auto keep = [alpha, top, &image](const Pixel& p, const Radiance& seen) {
       store(seen, alpha, image.pixel(p.column, p.row - top));
     };
-    if (thread.meter) {
-      const auto stop = [&thread](const Pixel& p) { return !thread.begins(p); };
-      return thread.sampler.centres(thread.pixels, thread.counters, keep, stop);
-    }
-    const std::atomic<bool>* cancel = &thread.cancel;
-    const auto stop = [cancel](const Pixel&) { return cancel->load(std::memory_order_relaxed); };
+    const auto stop = [&thread] { return !thread.begins(); };
     return thread.sampler.centres(thread.pixels, thread.counters, keep, stop);
   }
 };

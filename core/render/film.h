@@ -18,11 +18,11 @@
 #include "core/base/counters.h"
 #include "core/image/image.h"
 #include "core/render/antialiasing.h"
+#include "core/render/frame_progress.h"
 #include "core/render/picture_ledger.h"
 #include "core/render/pixel_lattice.h"
 #include "core/render/pixel_order.h"
 #include "core/render/sampler.h"
-#include "core/render/work_meter.h"
 
 namespace lentray::core {
 
@@ -31,7 +31,7 @@ struct FilmThread {
   Sampler& sampler;
   Counters& counters;
   const std::atomic<bool>& cancel;
-  WorkMeter* meter = nullptr;            ///< null: nobody watches
+  FrameMeter* meter = nullptr;           ///< null: nobody watches
   std::vector<Pixel> pixels{};           ///< what the last job worked on
   std::vector<float> values{};           ///< what the ledger keeps of them
   std::vector<Compared> above{}, row{};  ///< of film_centres
@@ -45,12 +45,9 @@ struct FilmThread {
   std::uint32_t stamp = 0;
 
   /// Work on a pixel begins; false: it is not to, as the frame was cancelled.
-  bool begins(std::int32_t x, std::int32_t y) const {
-    if (meter) meter->pixel(x, y);
+  bool begins() const {
+    if (meter) meter->pixel();
     return !cancel.load(std::memory_order_relaxed);
-  }
-  bool begins(const Pixel& pixel) const {
-    return begins(static_cast<std::int32_t>(pixel.column), static_cast<std::int32_t>(pixel.row));
   }
 };
 

@@ -138,7 +138,7 @@ class CentresBand final : public FilmBand {
       m_order->pixels(job, thread.pixels);
       leave_out(m_setup.known(0), thread.pixels);
       for (const Pixel& p : thread.pixels) {
-        if (!thread.begins(p)) return false;
+        if (!thread.begins()) return false;
         const bool seen =
             trace(static_cast<std::int32_t>(p.column), static_cast<std::int32_t>(p.row), thread);
         if (!seen && p.row >= m_top && p.row < m_bottom) ++thread.counters.dark_pixels;
@@ -152,7 +152,7 @@ class CentresBand final : public FilmBand {
     const std::size_t first = (job - m_order->jobs()) * kBorderPixels;
     const std::size_t end = std::min(m_border.size(), first + kBorderPixels);
     for (std::size_t i = first; i < end; ++i) {
-      if (!thread.begins(m_border[i].first, m_border[i].second)) return false;
+      if (!thread.begins()) return false;
       trace(m_border[i].first, m_border[i].second, thread);
     }
     return true;
@@ -201,7 +201,6 @@ class CentresBand final : public FilmBand {
     Centre& out = centre(column, row);
     const bool seen = thread.sampler.sample({.column = column, .row = row}, 0, out.seen);
     out.compared = m_setup.space.of(out.seen);
-    if (thread.meter) thread.meter->seen(column, row, out.compared);
     return seen;
   }
 
@@ -278,7 +277,7 @@ class CentresBand final : public FilmBand {
     std::fill(thread.row_sampled.begin(), thread.row_sampled.end(), std::uint8_t{0});
     for (std::size_t i = 0; i < chain.columns.size(); ++i) {
       const std::uint32_t k = chain.columns[i], left = chain.left[i];
-      if (!thread.begins({k, row})) return false;
+      if (!thread.begins()) return false;
       const Centre& here = centre(static_cast<std::int32_t>(k), static_cast<std::int32_t>(row));
       thread.row[i] = here.compared;
       put(k, row, here.seen);

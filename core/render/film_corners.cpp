@@ -108,7 +108,7 @@ class CornersBand final : public FilmBand {
 
   bool trace_corners(const Pixel* pixels, std::size_t count, FilmThread& thread) {
     for (std::size_t i = 0; i < count; ++i) {
-      if (!thread.begins(pixels[i])) return false;
+      if (!thread.begins()) return false;
       trace(pixels[i], false, thread);
       if (m_plan.step == 0) trace(pixels[i], true, thread);
     }
@@ -123,14 +123,13 @@ class CornersBand final : public FilmBand {
                            .down = -0.5};
     out.has_ray = thread.sampler.sample(place, right ? kRightCorner : 0, out.seen);
     out.compared = m_setup.space.of(out.seen);
-    if (thread.meter) thread.meter->seen(place.column, place.row, out.compared);
   }
 
   bool cut_pixels(FilmThread& thread) {
     const std::size_t side = m_plan.places + 1;
     if (thread.finer.size() < side * side) thread.finer.assign(side * side, {});
     for (const Pixel& pixel : thread.pixels) {
-      if (!thread.begins(pixel)) return false;
+      if (!thread.begins()) return false;
       if (!m_setup.region.has(pixel)) continue;
       ++thread.stamp;
       const std::uint32_t end = m_plan.places;

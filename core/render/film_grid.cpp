@@ -14,7 +14,7 @@ class GridBand final : public OnePassBand {
  private:
   bool trace(FilmThread& thread) override {
     for (const Pixel& p : thread.pixels) {
-      if (!thread.begins(p)) return false;
+      if (!thread.begins()) return false;
       store(mean(p, thread), m_setup.alpha, m_image.pixel(p.column, p.row - m_top));
     }
     return true;

@@ -10,8 +10,7 @@
 #include <vector>
 
 #include "core/base/deep_threads.h"
-#include "core/render/work_meter.h"
-#include "core/render/work_watch.h"
+#include "core/render/frame_progress.h"
 #include "core/trace/illumination.h"
 #include "core/trace/indirect_light.h"
 #include "core/trace/integrator.h"
@@ -26,7 +25,7 @@ struct Work {
   const RaySource& camera;
   const ShadowTesterFactory& shadows;
   const FrameOptions& options;
-  WorkWatch* watch;  ///< null: nobody asks for the progress
+  FrameProgress* progress;  ///< null: nobody asks for the progress
   BandQueue queue;
   std::mutex merge{};
   Counters total{};
@@ -64,11 +63,8 @@ void take_jobs(Work& work) {
   const std::unique_ptr<IndirectLight> indirect = make_indirect_light(context, *tester);
   const std::unique_ptr<Integrator> integrator = Integrator::make(context, *tester);
   Sampler sampler(work.camera, {work.options.angles, work.options.alpha}, *integrator);
-  std::optional<WorkMeter> meter;
-  if (work.watch) {
-    const FilmSetup& film = work.watch->film();
-    meter.emplace(work.watch->cells(), film.lattice, film.antialiasing.threshold);
-  }
+  std::optional<FrameMeter> meter;
+  if (work.progress) meter.emplace(*work.progress);
   static constexpr std::atomic<bool> kNever{false};
   FilmThread thread{.sampler = sampler,
                     .counters = context.counters,
@@ -124,16 +120,12 @@ Counters render_frame(const Scene& scene, const RaySource& camera, const FrameSh
   bands.band_height = std::max(1u, (shape.band_height + grain - 1) / grain) * grain;
   const FilmSetup setup = film_setup(&scene, camera, shape, options);
   const auto film = Film::make(setup, orders);
-  const PixelRegion traced = Film::traced_region(setup);
-  std::optional<WorkWatch> watch;
-  if (progress && traced.left < traced.right && traced.top < traced.bottom) {
-    watch.emplace(scene, camera, shadows, options, setup, bands.band_height, *progress);
-  }
+  std::optional<FrameProgress> watch;
+  if (progress) watch.emplace(*progress, setup);
   Work work{
       scene, camera, shadows, options, watch ? &*watch : nullptr, BandQueue(bands, *film, sink)};
   // Not tasks of oneTBB: they wait for each other.
   run_on_threads(frame_threads(options), scene.deepest(), [&work] { run(work); });
-  watch.reset();
   if (work.failure) std::rethrow_exception(work.failure);
   if (progress && !(options.cancel && options.cancel->load())) progress->advance(1.0, 0.0);
   return std::move(work.total);

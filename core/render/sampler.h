@@ -24,21 +24,16 @@ class Sampler {
         m_integrator(integrator) {}
 
   /// Sample 0 of each of those pixels of the image, at their centres: `keep(pixel, radiance)`.
-  /// Pixels without a ray are black and counted. False if `stop(pixel)` said so before one of them.
+  /// Pixels without a ray are black and counted. False if `stop()` said so before one of them.
   template <class Keep, class Stop>
   bool centres(const std::vector<Pixel>& pixels, Counters& counters, const Keep& keep,
                const Stop& stop) {
-    if (m_is_mean) return mean_centres(pixels, counters, keep, stop);
-    const RaySource& camera = m_camera;
-    Integrator& integrator = m_integrator;
     for (const Pixel& pixel : pixels) {
-      if (stop(pixel)) return false;
-      Ray ray;
+      if (stop()) return false;
       Radiance seen;
-      if (camera.ray(pixel.column + 0.5, pixel.row + 0.5, ray)) {
-        seen = integrator.trace(ray, pixel);
-      } else {
+      if (!(m_is_mean ? mean(pixel, seen) : one_ray(pixel, seen))) {
         ++counters.dark_pixels;
+        seen = {};  // not clear
       }
       keep(pixel, seen);
     }
@@ -50,21 +45,17 @@ class Sampler {
   bool sample(const PixelPlace& place, std::uint32_t index, Radiance& out);
 
  private:
-  template <class Keep, class Stop>
-  bool mean_centres(const std::vector<Pixel>& pixels, Counters& counters, const Keep& keep,
-                    const Stop& stop) {
-    for (const Pixel& pixel : pixels) {
-      if (stop(pixel)) return false;
-      Radiance seen;
-      if (!sample({.column = static_cast<std::int32_t>(pixel.column),
-                   .row = static_cast<std::int32_t>(pixel.row)},
-                  0, seen)) {
-        ++counters.dark_pixels;
-        seen = {};  // not clear
-      }
-      keep(pixel, seen);
-    }
+  /// Of a pixel's centre; false if there is no ray.
+  bool one_ray(const Pixel& pixel, Radiance& out) {
+    Ray ray;
+    if (!m_camera.ray(pixel.column + 0.5, pixel.row + 0.5, ray)) return false;
+    out = m_integrator.trace(ray, pixel);
     return true;
+  }
+  bool mean(const Pixel& pixel, Radiance& out) {
+    return sample({.column = static_cast<std::int32_t>(pixel.column),
+                   .row = static_cast<std::int32_t>(pixel.row)},
+                  0, out);
   }
   /// One of the directions within a pixel.
   bool direction(const PixelPlace& place, std::uint64_t key, Radiance& out);

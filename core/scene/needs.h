@@ -1,5 +1,5 @@
-// What a scene needs of the kernel, found once when it is compiled: the kernel takes paths
-// specialised on it, and `lentray --explain` prints it. Features are conservative: `false`
+// What a scene needs of the kernel, found once when it is compiled: the kernel leaves out what it does
+// not, and `lentray --explain` prints it. Features are conservative: `false`
 // means certainly absent.
 #pragma once
 

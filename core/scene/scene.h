@@ -78,11 +78,12 @@ struct SceneParts {
   std::vector<PhotonTarget> photon_targets;  ///< in the order in which they are shot at
   std::vector<std::string> not_rendered;     ///< features parsed and kept but not rendered yet
   std::vector<WatchedSlope> slopes;          ///< to report on after rendering
+  std::uint64_t picture_bytes = 0;           ///< of pictures that textures hold
   std::size_t deepest = 1;                   ///< most levels of objects and looks in each other
 };
 
 struct CompileOptions {
-  bool general_path = false;  ///< no specialisation, at the same bits: to see what it saves
+  bool general_path = false;  ///< as if it had everything, at the same bits: to see what that saves
   Accelerator accelerator = Accelerator::kBvh;
 };
 
@@ -122,12 +123,12 @@ class Scene {
   const std::vector<std::unique_ptr<Object>>& objects() const { return m_parts.objects; }
   /// Objects whose inside holds the point (a ray may start there), scene order. Every solid
   /// counts, hollow ones and ones without an `interior` too; of the parts of one
-  /// union that share an interior only the first.
+  /// union that share an interior only the first. Of scenes with interiors alone.
   void containing(const Vec3& p, std::vector<const Object*>& out) const;
 
  private:
   SceneParts m_parts;
-  std::unique_ptr<SolidIndex> m_solids;
+  std::unique_ptr<SolidIndex> m_solids;  ///< null: the scene has no interiors
   std::unique_ptr<Hierarchy> m_hierarchy;
   const Accelerator m_accelerator;
   std::vector<std::unique_ptr<LightBuffer>> m_light_buffers;  ///< one a light, null where none

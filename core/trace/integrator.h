@@ -29,8 +29,7 @@ class Integrator : public Follow {
                   std::endian::little);  // sample_key() of a pixel is its bits
     return trace(ray, pixel, std::bit_cast<std::uint64_t>(pixel));
   }
-  /// Specialised to what the context's scene needs (the general one if the scene was compiled with
-  /// general_path). All give the same bits. `shadows` works with the same context.
+  /// It leaves out what the context's scene does not need. `shadows` works with the same context.
   static std::unique_ptr<Integrator> make(ThreadContext& context, ShadowTester& shadows);
   static std::unique_ptr<Integrator> make(ThreadContext& context, ShadowTester& shadows,
                                           const PathRules& rules);

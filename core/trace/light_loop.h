@@ -19,7 +19,6 @@
 #include <vector>
 
 #include "core/accel/light_buffer.h"
-#include "core/light/area_light.h"
 #include "core/light/light_ray.h"
 #include "core/object/leaf.h"
 #include "core/scene/tolerances.h"
@@ -31,10 +30,11 @@ namespace lentray::core {
 
 /// A light with what is asked first of it, side by side.
 struct LightSource {
-  LightSource(const Light& l, std::uint32_t i, const LightBuffer* b)
+  LightSource(const Light& l, std::uint32_t i, const LightBuffer* b, bool areas)
       : position(l.position), colour(l.colour), straight(is_straight(l)), even(is_even(l)),
-        shadowless(l.shadowless), by_area(l.illuminates_by_area()),
-        may_be_hindered(!l.shadowless || l.projector), index(i), light(l), buffer(b) {}
+        shadowless(l.shadowless), by_area(l.illuminates_by_area()), has_points(areas && by_area),
+        has_area(areas && l.has_area), may_be_hindered(!l.shadowless || l.projector), index(i),
+        light(l), buffer(b) {}
   /// Certain without a square root that it is behind a surface. `to` leads to its position.
   bool surely_behind(const Vec3& to, const Vec3& normal) const {
     return straight && !by_area && dot(normal, to) < 0.0;
@@ -42,6 +42,8 @@ struct LightSource {
   Vec3 position;
   Rgb colour;
   bool straight, even, shadowless, by_area;
+  bool has_points;       ///< each point of its area lights a surface by itself
+  bool has_area;         ///< its shadow is that of its area
   bool may_be_hindered;  ///< not all of it arrives everywhere
   std::uint32_t index;   ///< into Scene::lights()
   const Light& light;
@@ -80,17 +82,16 @@ struct LightsAtPoint {
   std::vector<LightBuffer::Spot> spots;
 };
 
-/// `kArea`: there may be area lights. `kAskedAgain`: a point may be asked for more than once
-/// (LightsAtPoint::forget_arriving() between points).
-template <bool kArea, bool kAskedAgain>
 class LightLoop {
  public:
-  LightLoop(ThreadContext& context, ShadowTester& shadows)
-      : m_context(context), m_scene(context.scene), m_shadows(shadows),
+  /// `area_lights`: false: they are points. `asked_again`: a point may be asked for more than once
+  /// (LightsAtPoint::forget_arriving() between points).
+  LightLoop(ThreadContext& context, ShadowTester& shadows, bool area_lights, bool asked_again)
+      : m_context(context), m_scene(context.scene), m_shadows(shadows), m_asked_again(asked_again),
         m_tolerance(kShadowTolerance * context.scene.tolerance_scale()) {
     for (std::size_t i = 0; i < m_scene.lights().size(); ++i) {
       m_sources.emplace_back(m_scene.lights()[i], static_cast<std::uint32_t>(i),
-                             m_scene.light_buffer(i));
+                             m_scene.light_buffer(i), area_lights);
     }
   }
 
@@ -141,19 +142,17 @@ class LightLoop {
   void ask(IncomingLight& incoming, ShadowQuery& query, LightsAtPoint& known) {
     if (!incoming.source->may_be_hindered) return;
     const std::uint32_t light = incoming.source->index;
-    if constexpr (kAskedAgain) {
-      if (known.is_known[light]) {
-        incoming.colour = known.arriving[light];
-        return;
-      }
+    if (m_asked_again && known.is_known[light]) {
+      incoming.colour = known.arriving[light];
+      return;
     }
     query.light = light;
-    if (kArea && incoming.source->light.has_area) {
+    if (incoming.source->has_area) {
       incoming.colour = of_area(incoming.colour, incoming.ray, query);
     } else {
       incoming.colour = of_point(incoming.colour, incoming.ray, query, known);
     }
-    if constexpr (kAskedAgain) {
+    if (m_asked_again) {
       known.arriving[light] = incoming.colour;
       known.is_known[light] = 1;
     }
@@ -215,21 +214,7 @@ class LightLoop {
   /// False if the ray misses the projector. What lies behind it throws no shadow.
   bool pass_projector(const Object& projector, ShadowQuery& query) const;
 
-  Rgb of_area(const Rgb& colour, const LightRay& ray, ShadowQuery& query) {
-    const Light& source = m_scene.lights()[query.light];
-    query.spot = nullptr;
-    auto probe = [&](const Vec3& offset, std::uint32_t sample) {
-      const LightRay to_sample = light_ray(source, query.ray.origin, offset);
-      query.ray.direction = to_sample.direction;
-      query.distance = to_sample.distance;
-      query.sample = sample;
-      return colour * left(query);
-    };
-    RandomSequence places(branch_key(query.key, query.light), RandomSequence::Use::kLightArea);
-    auto random_number = [&] { return places.next(); };
-    const AreaAxes axes = area_axes(source.area, ray.direction);
-    return AreaSampler(source.area, axes, m_context.area, probe, random_number).colour();
-  }
+  Rgb of_area(const Rgb& colour, const LightRay& ray, ShadowQuery& query);
 
   void find_unmet(const LightLists& lists, const Vec3& normal, const Hit& hit, bool from_behind,
                   const Vec3& point, LightsAtPoint& known) const;
@@ -237,69 +222,9 @@ class LightLoop {
   ThreadContext& m_context;
   const Scene& m_scene;
   ShadowTester& m_shadows;
+  const bool m_asked_again;
   const double m_tolerance;            ///< kShadowTolerance in this scene
   std::vector<LightSource> m_sources;  ///< one a light of the scene
 };
-
-template <bool kArea, bool kAskedAgain>
-[[gnu::noinline]] bool LightLoop<kArea, kAskedAgain>::pass_projector(const Object& projector,
-                                                                     ShadowQuery& query) const {
-  constexpr double kClear = 1e-3;  ///< stock's: nothing so near before the projector counts
-  Hit hit;
-  if (!projector.nearest(query.ray, kMinHitDistance * m_scene.tolerance_scale(), query.distance,
-                         hit, m_context.arena)) {
-    return false;
-  }
-  query.distance = hit.t - kClear + m_tolerance;
-  return true;
-}
-
-template <bool kArea, bool kAskedAgain>
-void LightLoop<kArea, kAskedAgain>::look_ahead(const LightLists& lists, const Vec3& normal,
-                                               const Hit& hit, bool from_behind, const Vec3& point,
-                                               LightsAtPoint& known) const {
-  for (const std::span<const std::uint32_t> lights : lists) {
-    for (const std::uint32_t i : lights) {
-      const LightSource& source = m_sources[i];
-      LightBuffer::Spot& spot = known.spots[i];
-      spot.known = source.buffer && !source.surely_behind(source.position - point, normal);
-      spot.unmet = nullptr;
-      if (spot.known) source.buffer->locate(point, spot);
-    }
-  }
-  // In test_cost()'s unit (core/accel/test_cost.h): the test of a simpler object costs no more than
-  // this search.
-  constexpr double kWorthwhile = 12.0;
-  if (hit.object->test_cost() >= kWorthwhile && hit.leaf->convexity() != Convexity::kNone) {
-    find_unmet(lists, normal, hit, from_behind, point, known);
-  }
-}
-
-/// Marks the hit object as not in the way of lights on the front side of a convex surface. Rays whose
-/// cosine to the normal is less than `slope` are left out: a point that rounding put inside could
-/// still meet it.
-template <bool kArea, bool kAskedAgain>
-[[gnu::noinline]] void LightLoop<kArea, kAskedAgain>::find_unmet(const LightLists& lists,
-                                                                 const Vec3& normal, const Hit& hit,
-                                                                 bool from_behind,
-                                                                 const Vec3& point,
-                                                                 LightsAtPoint& known) const {
-  constexpr double kLeast = 1e-3, kRounding = 1e-9;
-  if (!hit.object->lies_in_parts()) return;
-  const bool either_side = hit.leaf->convexity() == Convexity::kFlat && hit.object == hit.leaf;
-  if (from_behind && !either_side) return;
-  const double off =
-      kRounding * (std::fabs(point.x) + std::fabs(point.y) + std::fabs(point.z) + hit.t);
-  const double slope = std::max(kLeast, off / m_tolerance);
-  for (const std::span<const std::uint32_t> lights : lists) {
-    for (const std::uint32_t i : lights) {
-      if (!known.spots[i].known || !m_sources[i].straight) continue;
-      const Vec3 to = m_sources[i].position - point;
-      const double up = dot(normal, to);
-      if (up > 0.0 && up * up > slope * slope * length_squared(to))
-        known.spots[i].unmet = hit.object;
-    }
-  }
-}
 
 }  // namespace lentray::core

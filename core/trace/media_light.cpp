@@ -115,8 +115,9 @@ class MediaLight::Probe final : public MediaProbe {
 };
 
 MediaLight::MediaLight(ThreadContext& context, ShadowTester& shadows)
-    : m_context(context), m_lights(context, shadows), m_photons(media_photons(context)),
-      m_at_point(context.scene.lights().size()), m_part_of(context.scene.lights().size()) {}
+    : m_context(context), m_lights(context, shadows, true, false),
+      m_photons(media_photons(context)), m_at_point(context.scene.lights().size()),
+      m_part_of(context.scene.lights().size()) {}
 
 void MediaLight::pass_interiors(const RayState& state, double length, int level,
                                 const Attributes& looks, Radiance& light) {

@@ -34,7 +34,7 @@ class MediaLight {
   void find_lit_parts(const LightLists& lists, const Ray& ray, double length);
 
   ThreadContext& m_context;
-  LightLoop<true, false> m_lights;
+  LightLoop m_lights;
   const PhotonMap* const m_photons;  ///< null: there are none
   FoundPhotons m_found, m_more;
   LightsAtPoint m_at_point;

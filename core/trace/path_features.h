@@ -1,23 +1,19 @@
-// What a scene can ask of the integrator. Each combination is compiled on its own: a path leaves out
-// what certainly never happens, so every path gives the same bits where it may be used. A feature that
-// costs one branch a ray or less is no feature here but a member that is null or false
-// (fog, start interiors, light groups).
+// What a scene can ask of the integrator. What certainly never happens is left out, so that all give the
+// same bits where they may be used.
 #pragma once
 
 #include "core/scene/needs.h"
 
 namespace lentray::core {
 
-/// Bits of the integrator's template argument.
-enum PathFeature : unsigned {
-  kPathTransparency = 1,  ///< filter, transmit, refraction, interiors
-  kPathReflection = 2,
-  kPathLayers = 4,  ///< layered textures, textures by place, interior textures
-  kPathArea = 8,    ///< area lights
+struct PathFeatures {
+  explicit PathFeatures(const Needs& needs)
+      : transparency(needs.transparency || needs.refraction || needs.subsurface),
+        reflection(needs.reflection),
+        layers(needs.layered_textures || needs.textures_by_place || needs.interior_textures) {}
+  bool transparency;  ///< filter, transmit, refraction, interiors
+  bool reflection;
+  bool layers;  ///< layered textures, textures by place, interior textures
 };
-inline constexpr unsigned kAllPaths = 16;
-
-/// Those that a scene needs.
-unsigned path_features(const Needs& needs);
 
 }  // namespace lentray::core

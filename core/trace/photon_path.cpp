@@ -67,8 +67,8 @@ struct PhotonPath::Layers {
 
 PhotonPath::PhotonPath(ThreadContext& context)
     : m_context(context), m_scene(context.scene), m_settings(*m_scene.settings().photons),
-      m_min_distance(kMinHitDistance * m_scene.tolerance_scale()),
-      m_stack_end(own_stack().middle()), m_start_interiors(m_scene), m_media(context) {}
+      m_min_distance(kMinHitDistance * m_scene.tolerance_scale()), m_start_interiors(m_scene),
+      m_media(context) {}
 
 bool PhotonPath::shoot(const PhotonShot& shot, MediaDraws& draws, PhotonMaps& out) {
   m_context.interiors.forget_if_large();
@@ -97,7 +97,7 @@ bool PhotonPath::is_wanted(const Leg& leg, const PassFlags& flags, bool& passes)
 
 void PhotonPath::follow(const Leg& leg) {
   if (leg.level >= m_settings.max_trace_level || leg.weight < m_settings.adc_bailout) return;
-  if (reinterpret_cast<std::uintptr_t>(__builtin_frame_address(0)) < m_stack_end) {
+  if (leg.level >= static_cast<int>(kMostRays)) {
     ++m_context.counters.cut_rays;
     return;
   }

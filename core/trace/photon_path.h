@@ -50,7 +50,6 @@ class PhotonPath {
   const Scene& m_scene;
   const PhotonSettings& m_settings;
   const double m_min_distance;
-  const std::uintptr_t m_stack_end;
   StartInteriors m_start_interiors;
   PhotonMedia m_media;
   const PhotonShot* m_shot = nullptr;

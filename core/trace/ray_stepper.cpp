@@ -18,12 +18,11 @@ std::uint32_t next_place(std::uint32_t tree_place) { return std::min(tree_place,
 
 }  // namespace
 
-template <unsigned kFeatures>
-RayStepper<kFeatures>::RayStepper(ThreadContext& context, ShadowTester& shadows,
-                                  const PathRules& rules)
-    : m_context(context), m_scene(context.scene), m_hierarchy(m_scene.hierarchy()),
-      m_shading(context, shadows, rules), m_max_level(m_scene.settings().max_trace_level),
-      m_bailout(rules.adc_bailout), m_min_distance(kMinHitDistance * m_scene.tolerance_scale()),
+RayStepper::RayStepper(ThreadContext& context, ShadowTester& shadows, const PathRules& rules)
+    : m_context(context), m_scene(context.scene), m_paths(m_scene.needs()),
+      m_hierarchy(m_scene.hierarchy()), m_shading(context, shadows, rules),
+      m_max_level(m_scene.settings().max_trace_level), m_bailout(rules.adc_bailout),
+      m_min_distance(kMinHitDistance * m_scene.tolerance_scale()),
       m_atmosphere_ior(m_scene.settings().atmosphere_ior),
       m_mirror_images(m_scene.settings().mirror_images),
       m_air(m_scene.needs().atmosphere && rules.volumes ? &m_scene.atmosphere() : nullptr) {
@@ -32,9 +31,7 @@ RayStepper<kFeatures>::RayStepper(ThreadContext& context, ShadowTester& shadows,
   if (m_scene.needs().interiors) m_start_interiors = std::make_unique<StartInteriors>(m_scene);
 }
 
-template <unsigned kFeatures>
-void RayStepper<kFeatures>::pass_open_air(const RayState& state, const RayRecord& record,
-                                          Radiance& light) {
+void RayStepper::pass_open_air(const RayState& state, const RayRecord& record, Radiance& light) {
   if (!m_context.interiors.is_hollow(state.inside)) return;
   const Segment segment{state.ray, record.length};
   if (!m_air->rainbows.empty()) pass_rainbows(*m_air, segment, state.key, light);
@@ -44,23 +41,23 @@ void RayStepper<kFeatures>::pass_open_air(const RayState& state, const RayRecord
   if (!m_air->fogs.empty()) pass_fogs(*m_air, segment, light);
 }
 
-template <unsigned kFeatures>
-[[gnu::always_inline]] inline Radiance RayStepper<kFeatures>::shade_texture(
-    const LayeredTexture& texture, Surface& at, ShadingBuffers& buffers, RayRecord& record) {
+[[gnu::always_inline]] inline Radiance RayStepper::shade_texture(const LayeredTexture& texture,
+                                                                 Surface& at,
+                                                                 ShadingBuffers& buffers,
+                                                                 RayRecord& record) {
   LayerSum sum;
   m_shading.shade(texture, at, buffers, sum);
   bool total_reflection = false;
-  if (kTransparency && sum.transparency > m_bailout) {
+  if (m_paths.transparency && sum.transparency > m_bailout) {
     total_reflection = add_transmitted(sum, at, record);
   }
-  if constexpr (kReflection) add_mirrors(sum, total_reflection, at, buffers, record);
+  if (m_paths.reflection) add_mirrors(sum, total_reflection, at, buffers, record);
   if (sum.is_seen_through) [[unlikely]]
     add_unscattered(at, buffers, record);
   return {sum.light};
 }
 
-template <unsigned kFeatures>
-void RayStepper<kFeatures>::shade(const RayState& state, const Hit& hit, RayRecord& record) {
+void RayStepper::shade(const RayState& state, const Hit& hit, RayRecord& record) {
   const Vec3 point = state.ray.at(hit.t);
   Vec3 normal = hit.leaf->normal(point, hit.shape);
   const bool from_behind = dot(normal, state.ray.direction) > 0.0;
@@ -78,7 +75,7 @@ void RayStepper<kFeatures>::shade(const RayState& state, const Hit& hit, RayReco
   ShadingBuffers& buffers = m_shaded < m_buffers.size() ? *m_buffers[m_shaded] : add_buffers();
   ++m_shaded;
   m_shading.begin(at, buffers);
-  if constexpr (kLayers) {
+  if (m_paths.layers) {
     shade_textures(at, buffers, record);
   } else {
     record.own = shade_texture(*at.looks.texture->everywhere(), at, buffers, record);
@@ -86,15 +83,12 @@ void RayStepper<kFeatures>::shade(const RayState& state, const Hit& hit, RayReco
   --m_shaded;
 }
 
-template <unsigned kFeatures>
-ShadingBuffers& RayStepper<kFeatures>::add_buffers() {
+ShadingBuffers& RayStepper::add_buffers() {
   m_buffers.push_back(std::make_unique<ShadingBuffers>(m_shading.lights()));
   return *m_buffers.back();
 }
 
-template <unsigned kFeatures>
-void RayStepper<kFeatures>::shade_textures(Surface& at, ShadingBuffers& buffers,
-                                           RayRecord& record) {
+void RayStepper::shade_textures(Surface& at, ShadingBuffers& buffers, RayRecord& record) {
   const WeightedTextures& textures = buffers.textures;
   textures_at(at.context, at.from_behind, m_bailout, buffers.textures);
   if (textures.size() == 1 && textures.front().weight == 1.0) {
@@ -111,10 +105,8 @@ void RayStepper<kFeatures>::shade_textures(Surface& at, ShadingBuffers& buffers,
   }
 }
 
-template <unsigned kFeatures>
-[[gnu::always_inline]] inline OnwardRay& RayStepper<kFeatures>::add_ray(const Surface& at,
-                                                                        float weight,
-                                                                        RayRecord& record) {
+[[gnu::always_inline]] inline OnwardRay& RayStepper::add_ray(const Surface& at, float weight,
+                                                             RayRecord& record) {
   const std::size_t branch = record.onward.size();
   OnwardRay& onward = record.onward.emplace_back();
   onward.tinted = false;
@@ -127,10 +119,8 @@ template <unsigned kFeatures>
   return onward;
 }
 
-template <unsigned kFeatures>
-void RayStepper<kFeatures>::add_mirrors(const LayerSum& sum, bool total_reflection,
-                                        const Surface& at, const ShadingBuffers& buffers,
-                                        RayRecord& record) {
+void RayStepper::add_mirrors(const LayerSum& sum, bool total_reflection, const Surface& at,
+                             const ShadingBuffers& buffers, RayRecord& record) {
   for (std::size_t i = 0; m_mirror_images && i < sum.layers; ++i) {
     const Mirror& mirror = buffers.mirrors[i];
     if (mirror.colour.is_black()) continue;
@@ -146,10 +136,8 @@ void RayStepper<kFeatures>::add_mirrors(const LayerSum& sum, bool total_reflecti
 }
 
 /// What translucent layers let through without scattering it. As in stock these rays lie in no interior.
-template <unsigned kFeatures>
-[[gnu::noinline]] void RayStepper<kFeatures>::add_unscattered(const Surface& at,
-                                                              ShadingBuffers& buffers,
-                                                              RayRecord& record) {
+[[gnu::noinline]] void RayStepper::add_unscattered(const Surface& at, ShadingBuffers& buffers,
+                                                   RayRecord& record) {
   for (const UnscatteredRay& through : buffers.unscattered) {
     const float weight = greatest(through.left);
     if (is_cut(at.level, weight)) continue;
@@ -166,9 +154,8 @@ template <unsigned kFeatures>
   buffers.unscattered.clear();
 }
 
-template <unsigned kFeatures>
-void RayStepper<kFeatures>::reflect(const Vec3& normal, const Finish& film, const Surface& at,
-                                    OnwardRay& onward) {
+void RayStepper::reflect(const Vec3& normal, const Finish& film, const Surface& at,
+                         OnwardRay& onward) {
   RayState& state = onward.state;
   state.ray.direction = normalized(mirrored(at.ray().direction, normal, at.normal));
   state.inside = at.state.inside;
@@ -179,9 +166,7 @@ void RayStepper<kFeatures>::reflect(const Vec3& normal, const Finish& film, cons
   if (onward.tinted) onward.tint = m_shading.film(film, normal, state.ray.direction, at);
 }
 
-template <unsigned kFeatures>
-bool RayStepper<kFeatures>::add_transmitted(const LayerSum& sum, const Surface& at,
-                                            RayRecord& record) {
+bool RayStepper::add_transmitted(const LayerSum& sum, const Surface& at, RayRecord& record) {
   const Rgb& filter = sum.filter;
   const float most = greatest({std::fabs(filter.r), std::fabs(filter.g), std::fabs(filter.b)});
   const InteriorEntry interior = at.interior();
@@ -236,9 +221,7 @@ bool RayStepper<kFeatures>::add_transmitted(const LayerSum& sum, const Surface& 
   return total_reflection;
 }
 
-template <unsigned kFeatures>
-bool RayStepper<kFeatures>::refract(const LayerSum& sum, double ior, const Surface& at,
-                                    OnwardRay& onward) {
+bool RayStepper::refract(const LayerSum& sum, double ior, const Surface& at, OnwardRay& onward) {
   const std::optional<Vec3> bent = refracted(at.ray().direction, sum.top_normal, ior);
   if (!bent) {
     ++m_context.counters.reflected_rays;
@@ -249,23 +232,5 @@ bool RayStepper<kFeatures>::refract(const LayerSum& sum, double ior, const Surfa
   onward.state.ray.direction = *bent;
   return false;
 }
-
-template class RayStepper<0>;
-template class RayStepper<1>;
-template class RayStepper<2>;
-template class RayStepper<3>;
-template class RayStepper<4>;
-template class RayStepper<5>;
-template class RayStepper<6>;
-template class RayStepper<7>;
-template class RayStepper<8>;
-template class RayStepper<9>;
-template class RayStepper<10>;
-template class RayStepper<11>;
-template class RayStepper<12>;
-template class RayStepper<13>;
-template class RayStepper<14>;
-template class RayStepper<15>;
-static_assert(kAllPaths == 16);
 
 }  // namespace lentray::core

@@ -26,7 +26,6 @@
 
 namespace lentray::core {
 
-template <unsigned kFeatures>
 class RayStepper {
  public:
   RayStepper(ThreadContext& context, ShadowTester& shadows, const PathRules& rules);
@@ -61,8 +60,8 @@ class RayStepper {
   }
   /// The same of a ray that has met this; null: nothing.
   void see(const RayState& state, const Hit* hit, RayRecord& record) {
-    if constexpr (kLayers) record.parts.clear();
-    if constexpr (kGoesOn) record.onward.clear();
+    record.parts.clear();
+    record.onward.clear();
     if (hit) {
       record.looks = &hit->leaf->attributes();
       record.length = hit->t;
@@ -83,15 +82,8 @@ class RayStepper {
     if (m_air) pass_open_air(state, record, light);
   }
 
-  /// Whether any rays go on from surfaces.
-  static constexpr bool kGoesOn = (kFeatures & (kPathTransparency | kPathReflection)) != 0;
-
  private:
   bool is_cut(int level, float weight) const { return level >= m_max_level || weight < m_bailout; }
-
-  static constexpr bool kTransparency = (kFeatures & kPathTransparency) != 0;
-  static constexpr bool kReflection = (kFeatures & kPathReflection) != 0;
-  static constexpr bool kLayers = (kFeatures & kPathLayers) != 0;
 
   void shade(const RayState& state, const Hit& hit, RayRecord& record);
   ShadingBuffers& add_buffers();
@@ -115,8 +107,9 @@ class RayStepper {
 
   ThreadContext& m_context;
   const Scene& m_scene;
+  const PathFeatures m_paths;
   const Hierarchy& m_hierarchy;
-  SurfaceShading<kFeatures> m_shading;
+  SurfaceShading m_shading;
   int m_max_level;
   const double m_bailout;
   const double m_min_distance;  ///< kMinHitDistance in this scene

@@ -54,8 +54,6 @@ class ShadowTesterFactory {
   virtual ~ShadowTesterFactory() = default;
   /// The context outlives the tester.
   virtual std::unique_ptr<ShadowTester> make(ThreadContext& context) const = 0;
-  /// The same without what watches its testers and keeps what it saw.
-  virtual const ShadowTesterFactory& unwatched() const { return *this; }
 };
 
 }  // namespace lentray::core

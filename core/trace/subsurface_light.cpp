@@ -46,8 +46,7 @@ double inner_cosine(double cosine, double ior) {
 
 }  // namespace
 
-template <bool kArea>
-struct SubsurfaceLight<kArea>::Exit {
+struct SubsurfaceLight::Exit {
   const Surface& surface;
   std::uint64_t key;
   std::uintptr_t interior;  ///< its identity: InteriorEntry
@@ -61,8 +60,7 @@ struct SubsurfaceLight<kArea>::Exit {
 };
 
 /// Every light counts, from either side of the surface.
-template <bool kArea>
-struct SubsurfaceLight<kArea>::AllLights {
+struct SubsurfaceLight::AllLights {
   const Vec3& normal;
   bool may_face(const LightSource&, const Vec3&) const { return true; }
   bool faces(const LightSource&, const Vec3& direction) const {
@@ -71,8 +69,7 @@ struct SubsurfaceLight<kArea>::AllLights {
 };
 
 /// Sums what passes the surface into the solid.
-template <bool kArea>
-struct SubsurfaceLight<kArea>::Receiver {
+struct SubsurfaceLight::Receiver {
   const Vec3& point;
   const Vec3& normal;
   double ior;
@@ -88,23 +85,20 @@ struct SubsurfaceLight<kArea>::Receiver {
   }
 };
 
-template <bool kArea>
-SubsurfaceLight<kArea>::SubsurfaceLight(ThreadContext& context, ShadowTester& shadows,
-                                        const PathRules& rules)
+SubsurfaceLight::SubsurfaceLight(ThreadContext& context, ShadowTester& shadows,
+                                 const PathRules& rules)
     : m_context(context), m_settings(context.scene.settings()), m_rules(rules),
-      m_min_distance(kMinHitDistance * context.scene.tolerance_scale()), m_lights(context, shadows),
-      m_known(m_lights.lights()) {}
+      m_min_distance(kMinHitDistance * context.scene.tolerance_scale()),
+      m_lights(context, shadows, rules.area_lights, false), m_known(m_lights.lights()) {}
 
-template <bool kArea>
-const ReducedAlbedo& SubsurfaceLight<kArea>::albedo(double ior) {
+const ReducedAlbedo& SubsurfaceLight::albedo(double ior) {
   const auto found = std::find_if(m_albedos.begin(), m_albedos.end(),
                                   [&](const ReducedAlbedo& one) { return one.ior() == ior; });
   return found != m_albedos.end() ? *found : m_albedos.emplace_back(ior);
 }
 
-template <bool kArea>
-typename SubsurfaceLight<kArea>::Exit SubsurfaceLight<kArea>::exit_at(
-    const Surface& surface, const SubsurfaceFinish& finish, const Rgb& pigment) {
+SubsurfaceLight::Exit SubsurfaceLight::exit_at(const Surface& surface,
+                                               const SubsurfaceFinish& finish, const Rgb& pigment) {
   const InteriorEntry interior = surface.interior();
   const double atmosphere = m_settings.atmosphere_ior;
   const double ior = relative_ior(interior, m_context.interiors, surface.state.inside, atmosphere);
@@ -129,15 +123,13 @@ typename SubsurfaceLight<kArea>::Exit SubsurfaceLight<kArea>::exit_at(
 }
 
 /// A ray in a solid. No kind of rays sees all objects; this one passes by those with no_radiosity alone.
-template <bool kArea>
-bool SubsurfaceLight<kArea>::nearest(const Ray& ray, double from, double to, Hit& hit) {
+bool SubsurfaceLight::nearest(const Ray& ray, double from, double to, Hit& hit) {
   return m_context.scene.hierarchy().nearest(ray, from, to, RayKind::kGather, hit, m_context.arena,
                                              m_context.tests);
 }
 
-template <bool kArea>
-Rgb SubsurfaceLight<kArea>::at(const Surface& surface, const SubsurfaceFinish& finish,
-                               const Rgb& pigment, const Rgb& share, UnscatteredRay& through) {
+Rgb SubsurfaceLight::at(const Surface& surface, const SubsurfaceFinish& finish, const Rgb& pigment,
+                        const Rgb& share, UnscatteredRay& through) {
   through.left = {};
   if (surface.state.scattered >= kMostScattered) return {};
   const Exit exit = exit_at(surface, finish, pigment);
@@ -156,8 +148,7 @@ Rgb SubsurfaceLight<kArea>::at(const Surface& surface, const SubsurfaceFinish& f
 }
 
 /// Where directions begin: a mean free path deep, but in what is thin no deeper than its middle.
-template <bool kArea>
-Vec3 SubsurfaceLight<kArea>::below(const Exit& exit) {
+Vec3 SubsurfaceLight::below(const Exit& exit) {
   const Surface& surface = exit.surface;
   const Vec3 inwards = -surface.normal;
   double depth = 1.0 / (exit.scattering.mean_lost * exit.mm);
@@ -169,8 +160,7 @@ Vec3 SubsurfaceLight<kArea>::below(const Exit& exit) {
   return surface.point() + inwards * depth;
 }
 
-template <bool kArea>
-Rgb SubsurfaceLight<kArea>::scattered_often(const Exit& exit, int samples, const Rgb& share) {
+Rgb SubsurfaceLight::scattered_often(const Exit& exit, int samples, const Rgb& share) {
   const bool by_others =
       m_settings.subsurface->radiosity && m_context.indirect && m_context.indirect->is_wanted();
   if (samples <= 0 || (!m_rules.lights && !by_others)) return {};
@@ -209,8 +199,7 @@ Rgb SubsurfaceLight<kArea>::scattered_often(const Exit& exit, int samples, const
 }
 
 /// The part of the light that enters there which leaves at the exit.
-template <bool kArea>
-Rgb SubsurfaceLight<kArea>::leaving(const Exit& exit, const Vec3& point, double area) const {
+Rgb SubsurfaceLight::leaving(const Exit& exit, const Vec3& point, double area) const {
   const double distance_squared = length_squared(point - exit.surface.point()) * exit.mm * exit.mm;
   const double factor = area * exit.transmitted;
   const auto channel = [&](std::size_t c) {
@@ -220,9 +209,8 @@ Rgb SubsurfaceLight<kArea>::leaving(const Exit& exit, const Vec3& point, double 
 }
 
 /// Of lights, into the solid.
-template <bool kArea>
-Rgb SubsurfaceLight<kArea>::entering(const Exit& exit, const Vec3& point, const Vec3& normal,
-                                     const LightLists& lights, std::uint64_t key) {
+Rgb SubsurfaceLight::entering(const Exit& exit, const Vec3& point, const Vec3& normal,
+                              const LightLists& lights, std::uint64_t key) {
   Receiver receiver{point, normal, exit.ior};
   const RayState& state = exit.surface.state;
   m_lights.at({point, exit.surface.level, state.place, InteriorsId::kOpen, key}, lights, m_known,
@@ -231,9 +219,8 @@ Rgb SubsurfaceLight<kArea>::entering(const Exit& exit, const Vec3& point, const 
 }
 
 /// Of other surfaces. Their light is weighed by cosines already: it enters as if it came straight.
-template <bool kArea>
-Rgb SubsurfaceLight<kArea>::indirectly(const Exit& exit, const Vec3& point, const Vec3& normal,
-                                       double area, const Rgb& leaves) {
+Rgb SubsurfaceLight::indirectly(const Exit& exit, const Vec3& point, const Vec3& normal,
+                                double area, const Rgb& leaves) {
   const IndirectAnswer answer = m_context.indirect->at(
       {point, normal, normal, area, static_cast<std::uint8_t>(exit.surface.state.scattered + 1)});
   const Rgb share = times(leaves, transmittance(1.0, exit.ior));
@@ -241,9 +228,8 @@ Rgb SubsurfaceLight<kArea>::indirectly(const Exit& exit, const Vec3& point, cons
   return share * answer.light;
 }
 
-template <bool kArea>
-Rgb SubsurfaceLight<kArea>::scattered_once(const Exit& exit, const Vec3& direction, double length,
-                                           int samples) {
+Rgb SubsurfaceLight::scattered_once(const Exit& exit, const Vec3& direction, double length,
+                                    int samples) {
   if (samples <= 0 || !m_rules.lights) return {};
   RandomSequence random(mixed(exit.key), RandomSequence::Use::kSubsurface);
   const int places = even_ones(samples, kDepths);
@@ -268,9 +254,8 @@ Rgb SubsurfaceLight<kArea>::scattered_once(const Exit& exit, const Vec3& directi
 }
 
 /// Light of one source that is scattered at an inner place, where it comes straight through the surface.
-template <bool kArea>
-float SubsurfaceLight<kArea>::of_one(const Exit& exit, const InnerPlace& place,
-                                     const std::uint32_t& light, std::uint64_t key) {
+float SubsurfaceLight::of_one(const Exit& exit, const InnerPlace& place, const std::uint32_t& light,
+                              std::uint64_t key) {
   const Ray to_light{place.point,
                      light_ray(m_context.scene.lights()[light], place.point).direction};
   Hit hit;
@@ -290,9 +275,8 @@ float SubsurfaceLight<kArea>::of_one(const Exit& exit, const InnerPlace& place,
   return static_cast<float>(part) * entered[static_cast<int>(place.channel)];
 }
 
-template <bool kArea>
-void SubsurfaceLight<kArea>::pass_through(const Exit& exit, const Vec3& direction,
-                                          const Hit& behind, UnscatteredRay& through) const {
+void SubsurfaceLight::pass_through(const Exit& exit, const Vec3& direction, const Hit& behind,
+                                   UnscatteredRay& through) const {
   const auto left = [&](std::size_t c) {
     const double lost = exit.scattering.lost[c];
     return lost > 0.0 ? static_cast<float>(std::exp(-lost * behind.t * exit.mm)) : 0.0f;
@@ -307,8 +291,5 @@ void SubsurfaceLight<kArea>::pass_through(const Exit& exit, const Vec3& directio
     through.left = all;
   }
 }
-
-template class SubsurfaceLight<false>;
-template class SubsurfaceLight<true>;
 
 }  // namespace lentray::core

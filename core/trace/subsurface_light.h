@@ -28,8 +28,6 @@ struct UnscatteredRay {
   Rgb share;  ///< of that, which the layers above let through
 };
 
-/// `kArea`: there may be area lights.
-template <bool kArea>
 class SubsurfaceLight {
  public:
   SubsurfaceLight(ThreadContext& context, ShadowTester& shadows, const PathRules& rules);
@@ -74,7 +72,7 @@ class SubsurfaceLight {
   const SceneSettings& m_settings;
   const PathRules m_rules;
   const double m_min_distance;  ///< kMinHitDistance in this scene
-  LightLoop<kArea, false> m_lights;
+  LightLoop m_lights;
   LightsAtPoint m_known;                 ///< nothing: each place is asked for once
   std::vector<ReducedAlbedo> m_albedos;  ///< those met so far
   std::vector<AskedQuery> m_asked;       ///< of radiosity, for the surface

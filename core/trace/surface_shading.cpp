@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/light/area_light.h"
 #include "core/photon/photon_map.h"
 #include "core/trace/illumination.h"
 #include "core/trace/indirect_light.h"
@@ -34,23 +35,22 @@ bool shows_light(const Finish& finish) {
 
 }  // namespace
 
-template <unsigned kFeatures>
-SurfaceShading<kFeatures>::SurfaceShading(ThreadContext& context, ShadowTester& shadows,
-                                          const PathRules& rules)
+SurfaceShading::SurfaceShading(ThreadContext& context, ShadowTester& shadows,
+                               const PathRules& rules)
     : m_context(context), m_photons(surface_photons(context)), m_settings(context.scene.settings()),
       m_rules(rules), m_legacy_opacity(m_settings.language_version < kOpacityByAlphaSince),
-      m_lights(context, shadows) {
+      m_paths(context.scene.needs()),
+      m_lights(context, shadows, rules.area_lights, m_paths.layers) {
   if (context.scene.needs().subsurface && rules.subsurface) {
-    m_subsurface = std::make_unique<SubsurfaceLight<kArea>>(context, shadows, rules);
+    m_subsurface = std::make_unique<SubsurfaceLight>(context, shadows, rules);
   }
 }
 
-template <unsigned kFeatures>
-void SurfaceShading<kFeatures>::shade(const LayeredTexture& texture, Surface& at,
-                                      ShadingBuffers& buffers, LayerSum& sum) {
+void SurfaceShading::shade(const LayeredTexture& texture, Surface& at, ShadingBuffers& buffers,
+                           LayerSum& sum) {
   const auto& layers = texture.layers();
-  if constexpr (kReflection) {
-    if (buffers.mirrors.size() < layers.size()) buffers.mirrors.resize(layers.size());
+  if (m_paths.reflection && buffers.mirrors.size() < layers.size()) {
+    buffers.mirrors.resize(layers.size());
   }
   for (auto layer = layers.rbegin();
        layer != layers.rend() && sum.transparency > m_rules.adc_bailout; ++layer) {
@@ -60,9 +60,8 @@ void SurfaceShading<kFeatures>::shade(const LayeredTexture& texture, Surface& at
   }
 }
 
-template <unsigned kFeatures>
-void SurfaceShading<kFeatures>::shade_layer(const TextureLayer& layer, Surface& at, LayerSum& sum,
-                                            ShadingBuffers& buffers) {
+void SurfaceShading::shade_layer(const TextureLayer& layer, Surface& at, LayerSum& sum,
+                                 ShadingBuffers& buffers) {
   const Finish& finish = *layer.finish;
   const Colour* constant = layer.pigment->constant();
   const Colour colour = constant ? *constant : layer.pigment->colour(at.texture_point, at.context);
@@ -70,15 +69,16 @@ void SurfaceShading<kFeatures>::shade_layer(const TextureLayer& layer, Surface& 
     at.context.normal = layer.normal->perturb(at.texture_point, at.normal, at.context);
   }
   const Vec3& normal = layer.normal ? at.context.normal : at.normal;
-  if (kTransparency && sum.layers == 0) {
+  if (m_paths.transparency && sum.layers == 0) {
     sum.top_normal = normal;
     sum.top_finish = &finish;
   }
-  if constexpr (kReflection) {
+  if (m_paths.reflection) {
     buffers.mirrors[sum.layers] = mirror_of(finish, colour.rgb, normal, at, sum);
   }
 
-  const double opacity = kTransparency || kLayers ? opacity_of(colour, m_legacy_opacity) : 1.0;
+  const bool may_be_clear = m_paths.transparency || m_paths.layers;
+  const double opacity = may_be_clear ? opacity_of(colour, m_legacy_opacity) : 1.0;
   Rgb own = times(colour.rgb * finish.ambient * m_settings.ambient_light, opacity);
   own += times(colour.rgb * finish.emission, opacity);
   if (finish.subsurface) [[unlikely]]
@@ -90,9 +90,9 @@ void SurfaceShading<kFeatures>::shade_layer(const TextureLayer& layer, Surface& 
   if (m_photons) own += lit_by_photons(finish, colour.rgb, normal, opacity, at, sum, buffers);
   sum.light += own * sum.filter;
 
-  if constexpr (kTransparency || kLayers) {
+  if (may_be_clear) {
     sum.filter *= passed(colour);
-    if (kReflection && finish.conserve_energy) {
+    if (m_paths.reflection && finish.conserve_energy) {
       const Rgb& mirror = buffers.mirrors[sum.layers].colour;
       sum.filter *= Rgb(std::min(1.0f, 1.0f - mirror.r), std::min(1.0f, 1.0f - mirror.g),
                         std::min(1.0f, 1.0f - mirror.b));
@@ -103,10 +103,8 @@ void SurfaceShading<kFeatures>::shade_layer(const TextureLayer& layer, Surface& 
   }
 }
 
-template <unsigned kFeatures>
-Mirror SurfaceShading<kFeatures>::mirror_of(const Finish& finish, const Rgb& pigment,
-                                            const Vec3& normal, const Surface& at,
-                                            const LayerSum& sum) const {
+Mirror SurfaceShading::mirror_of(const Finish& finish, const Rgb& pigment, const Vec3& normal,
+                                 const Surface& at, const LayerSum& sum) const {
   Mirror mirror;
   if (!reflects(finish)) return mirror;
   const double cosine = -dot(at.ray().direction, normal);
@@ -123,10 +121,10 @@ Mirror SurfaceShading<kFeatures>::mirror_of(const Finish& finish, const Rgb& pig
   return mirror;
 }
 
-template <unsigned kFeatures>
-[[gnu::noinline]] Rgb SurfaceShading<kFeatures>::indirectly_lit(
-    const Finish& finish, const Rgb& pigment, const Vec3& normal, double opacity, const Surface& at,
-    ShadingBuffers& buffers, LayerSum& sum) {
+[[gnu::noinline]] Rgb SurfaceShading::indirectly_lit(const Finish& finish, const Rgb& pigment,
+                                                     const Vec3& normal, double opacity,
+                                                     const Surface& at, ShadingBuffers& buffers,
+                                                     LayerSum& sum) {
   IndirectLight& indirect = *m_context.indirect;
   if (!indirect.is_wanted() || sum.is_scattered) return {};
   const bool is_first = at.state.kind == RayKind::kGather;
@@ -157,10 +155,9 @@ template <unsigned kFeatures>
   return light;
 }
 
-template <unsigned kFeatures>
-[[gnu::noinline]] Rgb SurfaceShading<kFeatures>::scattered(const SubsurfaceFinish& finish,
-                                                           const Rgb& pigment, const Surface& at,
-                                                           LayerSum& sum, ShadingBuffers& buffers) {
+[[gnu::noinline]] Rgb SurfaceShading::scattered(const SubsurfaceFinish& finish, const Rgb& pigment,
+                                                const Surface& at, LayerSum& sum,
+                                                ShadingBuffers& buffers) {
   if (!m_subsurface) return {};
   UnscatteredRay through;
   const Rgb light =
@@ -175,8 +172,7 @@ template <unsigned kFeatures>
 }
 
 /// Which lights a layer wants.
-template <unsigned kFeatures>
-struct SurfaceShading<kFeatures>::Facing {
+struct SurfaceShading::Facing {
   const Vec3 normal;
   const bool one_sided, front_only;
 
@@ -185,13 +181,12 @@ struct SurfaceShading<kFeatures>::Facing {
     return !(front_only && source.surely_behind(to, normal));
   }
   bool faces(const LightSource& source, const Vec3& direction) const {
-    return !(front_only && is_behind(dot(normal, direction))) || (kArea && source.by_area);
+    return !(front_only && is_behind(dot(normal, direction))) || source.has_points;
   }
 };
 
 /// Sums what a layer makes of the lights that arrive.
-template <unsigned kFeatures>
-struct SurfaceShading<kFeatures>::Receiver {
+struct SurfaceShading::Receiver {
   SurfaceShading& shading;
   const Facing& facing;
   const Finish& finish;
@@ -202,13 +197,12 @@ struct SurfaceShading<kFeatures>::Receiver {
   Rgb sum{};
 
   [[gnu::always_inline]] void receive(const IncomingLight& light) {
-    if constexpr (kArea) {
-      if (light.source->by_area) return receive_points(light);
-    }
+    if (light.source->has_points) [[unlikely]]
+      return receive_points(light);
     receive_from(*light.source, light.ray, light.colour);
   }
   /// Of each point of an area light, with the shadow that all of the light has.
-  void receive_points(const IncomingLight& all) {
+  [[gnu::noinline]] void receive_points(const IncomingLight& all) {
     const LightSource& source = *all.source;
     const AreaLight& area = source.light.area;
     const AreaAxes axes = area_axes(area, all.ray.direction);
@@ -250,9 +244,8 @@ struct SurfaceShading<kFeatures>::Receiver {
 };
 
 /// Diffuse light and highlights of all lights.
-template <unsigned kFeatures>
-Rgb SurfaceShading<kFeatures>::lit(const Finish& finish, const Rgb& pigment, const Vec3& normal,
-                                   double opacity, const Surface& at, LightsAtPoint& known) {
+Rgb SurfaceShading::lit(const Finish& finish, const Rgb& pigment, const Vec3& normal,
+                        double opacity, const Surface& at, LightsAtPoint& known) {
   if (!m_rules.lights) return {};
   if (!shows_light(finish)) return {};
   const bool one_sided = !at.looks.double_illuminate;
@@ -265,17 +258,14 @@ Rgb SurfaceShading<kFeatures>::lit(const Finish& finish, const Rgb& pigment, con
   return receiver.sum;
 }
 
-template <unsigned kFeatures>
-bool SurfaceShading<kFeatures>::collects_photons(const Surface& at) const {
+bool SurfaceShading::collects_photons(const Surface& at) const {
   return m_context.scene.pass_flags(at.looks).photon_collect;
 }
 
-template <unsigned kFeatures>
-[[gnu::noinline]] Rgb SurfaceShading<kFeatures>::lit_by_photons(const Finish& finish,
-                                                                const Rgb& pigment,
-                                                                const Vec3& normal, double opacity,
-                                                                const Surface& at, LayerSum& sum,
-                                                                ShadingBuffers& buffers) {
+[[gnu::noinline]] Rgb SurfaceShading::lit_by_photons(const Finish& finish, const Rgb& pigment,
+                                                     const Vec3& normal, double opacity,
+                                                     const Surface& at, LayerSum& sum,
+                                                     ShadingBuffers& buffers) {
   if (!m_rules.lights || !shows_light(finish) || !collects_photons(at)) return {};
   if (!sum.has_photons) {
     m_photons->gather(at.point(), &normal, buffers.photons, buffers.more_photons);
@@ -286,29 +276,10 @@ template <unsigned kFeatures>
                           {finish, pigment, normal, opacity, shines, at}, m_settings);
 }
 
-template <unsigned kFeatures>
-Rgb SurfaceShading<kFeatures>::film(const Finish& finish, const Vec3& normal,
-                                    const Vec3& from_light, const Surface& at) const {
+Rgb SurfaceShading::film(const Finish& finish, const Vec3& normal, const Vec3& from_light,
+                         const Surface& at) const {
   return film_tint(finish, film_thickness(finish, at.point(), m_settings.noise_generator),
                    m_settings.irid_wavelength, normal, from_light, at.ray().direction);
 }
-
-template class SurfaceShading<0>;
-template class SurfaceShading<1>;
-template class SurfaceShading<2>;
-template class SurfaceShading<3>;
-template class SurfaceShading<4>;
-template class SurfaceShading<5>;
-template class SurfaceShading<6>;
-template class SurfaceShading<7>;
-template class SurfaceShading<8>;
-template class SurfaceShading<9>;
-template class SurfaceShading<10>;
-template class SurfaceShading<11>;
-template class SurfaceShading<12>;
-template class SurfaceShading<13>;
-template class SurfaceShading<14>;
-template class SurfaceShading<15>;
-static_assert(kAllPaths == 16);
 
 }  // namespace lentray::core

@@ -59,7 +59,6 @@ struct ShadingBuffers {
 
 class PhotonMap;
 
-template <unsigned kFeatures>
 class SurfaceShading {
  public:
   SurfaceShading(ThreadContext& context, ShadowTester& shadows, const PathRules& rules);
@@ -67,7 +66,7 @@ class SurfaceShading {
   std::size_t lights() const { return m_lights.lights(); }
   /// To be called before anything else of a surface.
   void begin(const Surface& at, ShadingBuffers& buffers) const {
-    if constexpr (kLayers) {
+    if (m_paths.layers) {
       buffers.textures.clear();
       buffers.lights.forget_arriving();
     }
@@ -81,11 +80,6 @@ class SurfaceShading {
            const Surface& at) const;
 
  private:
-  static constexpr bool kTransparency = (kFeatures & kPathTransparency) != 0;
-  static constexpr bool kReflection = (kFeatures & kPathReflection) != 0;
-  static constexpr bool kLayers = (kFeatures & kPathLayers) != 0;
-  static constexpr bool kArea = (kFeatures & kPathArea) != 0;
-
   struct Facing;
   struct Receiver;
   void shade_layer(const TextureLayer& layer, Surface& at, LayerSum& sum, ShadingBuffers& buffers);
@@ -110,8 +104,9 @@ class SurfaceShading {
   const SceneSettings& m_settings;
   const PathRules m_rules;
   const bool m_legacy_opacity;
-  LightLoop<kArea, kLayers> m_lights;
-  std::unique_ptr<SubsurfaceLight<kArea>> m_subsurface;  ///< null: there is none
+  const PathFeatures m_paths;
+  LightLoop m_lights;
+  std::unique_ptr<SubsurfaceLight> m_subsurface;  ///< null: there is none
 };
 
 }  // namespace lentray::core

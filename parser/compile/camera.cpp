@@ -14,15 +14,6 @@ namespace {
 
 using core::single;
 
-camera::LensModel model_of(LensModel model) {
-  switch (model) {
-    case LensModel::kParaxial: return camera::LensModel::kParaxial;
-    case LensModel::kPinhole: return camera::LensModel::kPinhole;
-    case LensModel::kThick: break;
-  }
-  return camera::LensModel::kThick;
-}
-
 /// Stock keeps corners and normals in single precision; far points of the scene show it.
 core::Vec3 rounded(const core::Vec3& p) { return {single(p.x), single(p.y), single(p.z)}; }
 
@@ -107,7 +98,7 @@ CameraRequest camera_request(const CameraDesc& camera, const TextureSettings& se
   request.lens.print_dpi = lens.print_dpi;
   request.lens.front = lens.front;
   request.lens.view_distance = lens.view_distance;
-  if (lens.model) request.lens.model = model_of(*lens.model);
+  request.lens.model = lens.model;
   if (lens.slant) request.lens.slant = std::tan(*lens.slant * std::numbers::pi / 180.0);
   if (lens.rays) request.lens.rays = static_cast<std::uint32_t>(*lens.rays);
   return request;

@@ -179,6 +179,7 @@ core::MappedPicturePtr PictureReader::get(const ImageDesc& image, bool colours) 
       !image.transmits.empty()) {
     picture = made_clearer(*picture, image);
   }
+  if (m_given.insert(picture).second) m_bytes += picture->bytes();
   return std::make_shared<core::MappedPicture>(picture, layout_of(image, colours));
 }
 

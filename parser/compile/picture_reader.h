@@ -3,6 +3,7 @@
 // Source: reference manual 3.7, "Image Map", "Gamma"; compared with stock by image.pictures.
 #pragma once
 
+#include <cstdint>
 #include <map>
 #include <memory>
 #include <set>
@@ -20,6 +21,7 @@ class PictureReader {
   explicit PictureReader(std::set<std::string>& not_yet) : m_not_yet(not_yet) {}
   /// `colours`: decoded to the working space; heights and patterns are taken as stored.
   core::MappedPicturePtr get(const ImageDesc& image, bool colours);
+  std::uint64_t bytes() const { return m_bytes; }  ///< of all that it gave
 
  private:
   std::shared_ptr<const core::Picture> read(const ImageDesc& image, bool colours);
@@ -29,6 +31,8 @@ class PictureReader {
 
   std::set<std::string>& m_not_yet;
   std::map<std::string, std::shared_ptr<const core::Picture>> m_files;  ///< by path and decoding
+  std::set<std::shared_ptr<const core::Picture>> m_given;
+  std::uint64_t m_bytes = 0;
 };
 
 }  // namespace lentray::parser

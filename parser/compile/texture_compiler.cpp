@@ -273,7 +273,8 @@ std::shared_ptr<const core::Finish> TextureCompiler::Impl::compile(const Ref<Fin
         std::make_shared<const core::Finish>(compile_finish(*finish, settings.least_translucency));
     if (compiled->subsurface) {
       has_subsurface = true;
-      const bool is_as_written = compiled->subsurface->translucency == finish->subsurface->translucency;
+      const bool is_as_written =
+          compiled->subsurface->translucency == finish->subsurface->translucency;
       if (!too_opaque && !is_as_written) too_opaque = finish;
     }
     has_crand = has_crand || compiled->crand > 0.0;
@@ -396,6 +397,7 @@ std::shared_ptr<const core::Medium> TextureCompiler::medium(const Ref<MediaDesc>
 }
 
 bool TextureCompiler::has_subsurface() const { return m_impl->has_subsurface; }
+std::uint64_t TextureCompiler::picture_bytes() const { return m_impl->pictures.bytes(); }
 const FinishDesc* TextureCompiler::too_opaque() const { return m_impl->too_opaque.get(); }
 const std::set<std::string>& TextureCompiler::not_yet() const { return m_impl->not_yet; }
 bool TextureCompiler::has_crand() const { return m_impl->has_crand; }

@@ -49,6 +49,8 @@ class TextureCompiler {
   /// To be called now and then: lets go of descriptions that nobody else refers to any more.
   void forget_unused();
 
+  /// Of all pictures that were read so far.
+  std::uint64_t picture_bytes() const;
   /// Names of what was asked for and is not rendered yet.
   const std::set<std::string>& not_yet() const;
   /// Whether a finish so far has crand.

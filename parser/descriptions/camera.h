@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "camera/lens_sheet.h"
 #include "core/base/transform.h"
 #include "core/base/vec3.h"
 #include "parser/source/source.h"
@@ -33,7 +34,7 @@ enum class CameraKind {
 /// The SDL word of a kind ("ultra_wide_angle").
 const char* camera_kind_name(CameraKind kind);
 
-enum class LensModel { kParaxial, kPinhole, kThick };
+using camera::LensModel;
 
 /// The words that `camera { lenticular ... }` adds; unset ones stay empty so that the converter
 /// knows what the scene said. Lengths in mm except lens_front, which is in scene units.

@@ -7,15 +7,6 @@ namespace lentray::parser {
 const char* name_of(CameraKind kind) { return camera_kind_name(kind); }
 const char* name_of(PatternKind kind) { return pattern_name(kind); }
 
-const char* name_of(LensModel model) {
-  switch (model) {
-    case LensModel::kParaxial: return "paraxial";
-    case LensModel::kPinhole: return "pinhole";
-    case LensModel::kThick: return "thick";
-  }
-  return "";
-}
-
 const char* name_of(LightKind kind) {
   switch (kind) {
     case LightKind::kPoint: return "point";

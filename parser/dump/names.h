@@ -7,7 +7,6 @@
 namespace lentray::parser {
 
 const char* name_of(CameraKind kind);
-const char* name_of(LensModel model);
 const char* name_of(LightKind kind);
 const char* name_of(PatternKind kind);
 const char* name_of(WaveForm form);

@@ -58,8 +58,7 @@ TEST(ImageNestedScenes, ThousandsOfLevels) {
   }
 }
 
-/// Who waits for a picture of more than a second is told how far it is: what finds that out meets the same depth.
-TEST(ImageNestedScenes, ProgressOfDeepMerges) {
+TEST(ImageNestedScenes, DeepMerges) {
   const tool::TemporaryFolder folder;
   tool::write_text(folder / "scene.pov",
                    nested_scene(kNestedBall, "merge { object { A } " + kNestedMore + " }",

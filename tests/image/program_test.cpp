@@ -7,6 +7,7 @@
 #include "core/image/reader.h"
 #include "tests/support/render.h"
 #include "tools/common/process.h"
+#include "tools/common/version.h"
 
 namespace lentray::test {
 namespace {
@@ -235,6 +236,29 @@ TEST_F(ImageProgram, WhenStoppedItLeavesNothing) {
   EXPECT_EQ(result.status, 2) << result.output;
   EXPECT_NE(result.output.find("no picture was written"), std::string::npos);
   EXPECT_FALSE(exists("scene.png"));
+}
+
+TEST_F(ImageProgram, ToolsTellOfThemselves) {
+  for (const std::string tool :
+       {"lentray-batch", "lentray-chart", "lentray-diff", "lentray-grouping", "lentray-merge",
+        "lentray-model", "lentray-print", "lentray-views"}) {
+    if (!std::filesystem::exists(program(tool))) continue;  // the study's may be left out
+    const auto said = [&](const std::string& words, int status) {
+      const auto result = shell("'" + program(tool).string() + "' " + words);
+      EXPECT_EQ(result.status, status) << tool << words << result.output;
+      return result.output;
+    };
+    EXPECT_EQ(said("a --help", 0).find("usage: " + tool), 0u) << tool;
+    EXPECT_EQ(said("--no-such-option --version", 0), tool + " " + tool::kVersion + "\n");
+    EXPECT_EQ(said("--no-such-option", tool == "lentray-diff" || tool == "lentray-batch" ? 2 : 1)
+                  .find(tool + ": "),
+              0u);
+  }
+  for (const std::string tool : {"lentray-diff", "lentray-batch"}) {
+    const auto result = shell("'" + program(tool).string() + "'");
+    EXPECT_EQ(result.status, 2);
+    EXPECT_EQ(result.output.find("usage: " + tool), 0u) << result.output;
+  }
 }
 
 TEST_F(ImageProgram, HelpAndVersion) {

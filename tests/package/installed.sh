@@ -1,6 +1,6 @@
 #!/bin/sh
 # What cmake --install puts somewhere works there and elsewhere, when the folder has moved.
-#   tests/package/installed.sh BUILD_FOLDER
+#   tests/package/installed.sh BUILD_FOLDER PROGRAM...
 set -eu
 
 folder=$(mktemp -d "${TMPDIR:-/tmp}/lentray-installed-XXXXXX")
@@ -9,10 +9,14 @@ fail() { echo "FAILED: $*"; exit 1; }
 
 cmake --install "$1" --prefix "$folder/first" >/dev/null
 mv "$folder/first" "$folder/its place"
+shift
 cd "$folder"
-for file in bin/lentray bin/lentray-batch bin/lentray-merge bin/lentray-diff bin/lentray-model bin/lentray-grouping bin/lentray-print bin/lentray-views bin/lentray-chart lib/lentray/lentray_openimageio.so \
-            share/man/man1/lentray.1.gz share/man/man1/lentray-diff.1.gz share/man/man1/lentray-model.1.gz \
-            share/man/man1/lentray-grouping.1.gz share/bash-completion/completions/lentray \
+for program; do
+  for file in "bin/$program" "share/man/man1/$program.1.gz"; do
+    [ -s "$folder/its place/$file" ] || fail "$file is not installed"
+  done
+done
+for file in lib/lentray/lentray_openimageio.so share/bash-completion/completions/lentray \
             share/zsh/vendor-completions/_lentray share/doc/lentray/LICENSE share/doc/lentray/README.md \
             share/doc/lentray/docs/language.md share/doc/lentray/examples/demo.pov; do
   [ -s "$folder/its place/$file" ] || fail "$file is not installed"

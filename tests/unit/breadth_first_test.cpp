@@ -215,7 +215,7 @@ class BreadthFirst {
 
   ThreadContext m_context;
   PlainShadowTester m_shadows;
-  RayStepper<kAllPaths - 1> m_stepper;
+  RayStepper m_stepper;
   std::vector<std::vector<Node>> m_levels;
 };
 

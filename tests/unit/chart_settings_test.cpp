@@ -62,8 +62,6 @@ TEST_F(UnitChartArguments, DefaultsAreThoseOfTheHelp) {
   EXPECT_EQ(a.reference_limit, 600.0);
   EXPECT_EQ(a.for_lentray, std::vector<std::string>{"+WT2"});
   EXPECT_EQ(parse_arguments({scene(), "--out=o", "Work_Threads=3"}).for_lentray.size(), 1u);
-  EXPECT_TRUE(parse_arguments({"--help"}).help);
-  EXPECT_TRUE(parse_arguments({"--version"}).version);
 }
 
 TEST_F(UnitChartArguments, BadOnesAreNamed) {

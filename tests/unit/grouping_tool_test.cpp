@@ -49,7 +49,6 @@ TEST_F(UnitGroupingTool, OwnOptionsAreLong) {
   EXPECT_EQ(a.sizes, (GroupingToolWords{"2", "3"}));
   EXPECT_EQ(a.scenes, GroupingToolWords{scene()});
   EXPECT_EQ(a.for_lentray, GroupingToolWords{"-UL"});
-  EXPECT_TRUE(parse_arguments({"--version"}).version);
   EXPECT_EQ(error_of({scene(), "--csv"}), "--csv needs a value");
   EXPECT_EQ(error_of({scene(), "--repeats", "x"}),
             "option --repeats x: a whole number is expected");

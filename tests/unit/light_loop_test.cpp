@@ -16,7 +16,6 @@ namespace lentray::test {
 namespace {
 
 using namespace core;
-using Loop = LightLoop<true, false>;
 
 /// The side of a plane that is lit.
 struct LightLoopFacing {
@@ -59,7 +58,7 @@ std::vector<LightLoopPoint> light_loop_points(std::size_t count, const Scene& sc
   return points;
 }
 
-void collect_light(const Loop& loop, const Scene& scene, LightLoopPoint& p) {
+void collect_light(const LightLoop& loop, const Scene& scene, LightLoopPoint& p) {
   p.incoming.resize(scene.lights().size());
   IncomingLight* const begin = p.incoming.data();
   IncomingLight* const end =
@@ -76,7 +75,7 @@ TEST(UnitLightLoop, CollectsWhatMayReachAPointInTheListsOrder) {
   const Scene scene(text.build(), {});
   ThreadContext context(scene, false);
   const auto tester = shadow::make_tester_factory("off")->make(context);
-  const Loop loop(context, *tester);
+  const LightLoop loop(context, *tester, true, false);
   LightLoopPoint p{{0, 0, 0}, {0, 1, 0}, LightsAtPoint(scene.lights().size()), {}, 0};
   collect_light(loop, scene, p);
   ASSERT_EQ(p.incoming.size(), 3u) << "not those behind, beside the cone, or black";
@@ -105,7 +104,7 @@ TEST(UnitLightLoop, ShadowRaysOfManyPointsInAnyOrder) {
     ThreadContext context(scene, false), other(scene, false);
     const auto factory = shadow::make_tester_factory(name);
     const auto one_by_one = factory->make(context), block = factory->make(other);
-    Loop plain(context, *one_by_one), loop(other, *block);
+    LightLoop plain(context, *one_by_one, true, false), loop(other, *block, true, false);
     std::vector<LightLoopPoint> points = light_loop_points(500, scene);
     for (LightLoopPoint& p : points) collect_light(loop, scene, p);
     for (std::uint32_t light = static_cast<std::uint32_t>(scene.lights().size()); light-- > 0;) {
@@ -120,7 +119,7 @@ TEST(UnitLightLoop, ShadowRaysOfManyPointsInAnyOrder) {
     std::size_t lit = 0, shadowed = 0;
     for (LightLoopPoint& p : points) {
       LightLoopSum sum{p.normal, {}};
-      for (const IncomingLight& incoming : p.incoming) Loop::resolve(incoming, sum);
+      for (const IncomingLight& incoming : p.incoming) LightLoop::resolve(incoming, sum);
       LightLoopSum want{p.normal, {}};
       plain.at({p.place, 1, 1, InteriorsId::kOpen, p.key}, {scene.global_lights()}, p.known,
                LightLoopFacing{p.normal}, want);

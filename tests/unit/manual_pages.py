@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 """Every option that a program's help tells of is in its manual page and in the completions, and bash
-completes with them.    manual_pages.py BUILD_FOLDER
+completes with them.    manual_pages.py BUILD_FOLDER PROGRAM...
 
 That lentray's help tells of every option of its table is UnitOptionsHelp's to hold.
 """
@@ -11,8 +11,6 @@ import shutil
 import subprocess
 import sys
 
-PROGRAMS = ("lentray", "lentray-batch", "lentray-diff", "lentray-merge", "lentray-model", "lentray-grouping", "lentray-chart",
-            "lentray-print", "lentray-views")
 failed = 0
 
 
@@ -53,7 +51,7 @@ def main():
     bash = os.path.join(share, "completion.bash")
     shells = {shell: open(os.path.join(share, "completion." + shell), encoding="utf-8").read() for shell in ("bash", "zsh")}
     least = {"lentray": 180, "lentray-merge": 3}
-    for program in PROGRAMS:
+    for program in sys.argv[2:]:
         command = [os.path.join(build, "bin", program)]
         text = subprocess.run(command + ["--help=all" if program == "lentray" else "--help"], capture_output=True,
                               text=True).stdout

@@ -29,8 +29,6 @@ TEST(UnitMerge, Arguments) {
   EXPECT_EQ(a.parts, (std::vector<std::filesystem::path>{"a.png", "b.png"}));
   EXPECT_EQ(a.out, "x.png");
   EXPECT_EQ(a.rows, (std::vector<Rows>{{1, 60}, {61, 61}}));
-  EXPECT_TRUE(parse_arguments({"--version"}).version);
-  EXPECT_TRUE(parse_arguments({"--help"}).help);
 }
 
 TEST(UnitMerge, WrongArguments) {

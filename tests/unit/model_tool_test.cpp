@@ -61,7 +61,6 @@ TEST(UnitModelTool, OtherArguments) {
   EXPECT_EQ(names, (ModelToolWords{"rows", "views", "columns", "combined", "strips", "combined(2)",
                                    "combined(3)", "strips(2,4)", "strips(3,4)"}));
   EXPECT_EQ(parse_arguments({"Figures=all"}).figures, figure_names());
-  EXPECT_TRUE(parse_arguments({"--help", "A=2"}).help);
 }
 
 TEST(ErrorModelTool, EachWithAMessage) {

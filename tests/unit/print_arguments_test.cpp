@@ -110,9 +110,6 @@ TEST(UnitPrintArguments, Sheet) {
   EXPECT_EQ(a.bits, 16);
   EXPECT_DOUBLE_EQ(
       *parse_arguments({"sheet", "a.png", "--out=s.tif", "--pitch=0.637mm"}).print_pitch, 0.637);
-  EXPECT_TRUE(parse_arguments({"--help"}).help);
-  EXPECT_TRUE(parse_arguments({"sheet", "--help"}).help);
-  EXPECT_TRUE(parse_arguments({"--version"}).version);
 }
 
 TEST(UnitPrintArguments, SeveralPictures) {

@@ -1,14 +1,10 @@
 #include "tools/common/csv.h"
 
-#include <cstdio>
+#include "tools/common/formed.h"
 
 namespace lentray::tool {
 
-std::string number_text(double value) {
-  char buffer[32];
-  std::snprintf(buffer, sizeof buffer, "%.12g", value);
-  return buffer;
-}
+std::string number_text(double value) { return formed("%.12g", value); }
 
 std::string csv_field(const std::string& text) {
   if (text.find_first_of(",\"\r\n") == std::string::npos) return text;

@@ -1,11 +1,12 @@
 #include "tools/common/thumbnail_store.h"
 
 #include <cstdint>
-#include <cstdio>
 #include <fstream>
 #include <iterator>
 #include <string_view>
 #include <system_error>
+
+#include "tools/common/formed.h"
 
 namespace lentray::tool {
 namespace {
@@ -30,11 +31,9 @@ std::optional<std::string> ThumbnailStore::name_of(const fs::path& picture,
   if (error) return std::nullopt;
   const std::string text = picture.string() + '\n' + std::to_string(size) + '\n' +
                            std::to_string(modified) + '\n' + recipe;
-  char name[40];
-  std::snprintf(name, sizeof name, "%016llx%016llx.jpg",
+  return formed("%016llx%016llx.jpg",
                 static_cast<unsigned long long>(sum_of(text, 0xcbf29ce484222325u)),
                 static_cast<unsigned long long>(sum_of(text, 0x6c62272e07bb0142u)));
-  return name;
 }
 
 std::optional<std::string> ThumbnailStore::find(const std::string& name) {

@@ -95,9 +95,8 @@ class Parsing {
     const std::size_t equals = words[i].find('=');
     const std::string name = words[i].substr(0, equals);
     const std::map<std::string, bool*> switches{
-        {"--help", &m_out.help},   {"--version", &m_out.version}, {"--frames", &m_out.frames},
-        {"--views", &m_out.views}, {"--compare", &m_out.compare}, {"--retry", &m_out.retry},
-        {"--quiet", &m_out.quiet}, {"--slurm", &m_out.slurm}};
+        {"--frames", &m_out.frames}, {"--views", &m_out.views}, {"--compare", &m_out.compare},
+        {"--retry", &m_out.retry},   {"--quiet", &m_out.quiet}, {"--slurm", &m_out.slurm}};
     const std::map<std::string, std::function<void(const std::string&)>> values{
         {"--out", [&](const std::string& v) { m_out.out = v; }},
         {"--jobs", [&](const std::string& v) { m_out.jobs = count_of(name, v); }},
@@ -231,7 +230,7 @@ class Parsing {
   }
 
   void finish() {
-    if (m_out.help || m_out.version || !m_out.worker.empty()) return;
+    if (!m_out.worker.empty()) return;
     if (!m_out.sbatch.empty() && !m_out.slurm)
       throw OptionError("--sbatch gives options to Slurm: it needs --slurm");
     if (m_out.inputs.empty())

@@ -13,7 +13,6 @@
 namespace lentray::batch {
 
 struct Arguments {
-  bool help = false, version = false;
   std::vector<std::filesystem::path> inputs;  ///< folders and scenes, as given
   std::filesystem::path out;                  ///< the batch's folder, absolute
   std::vector<std::string> for_lentray;       ///< in order; paths are absolute

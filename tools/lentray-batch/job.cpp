@@ -15,6 +15,7 @@
 #include "parser/files/watched_files.h"
 #include "parser/options/create_ini.h"
 #include "tools/common/companion.h"
+#include "tools/common/formed.h"
 #include "tools/common/json_text.h"
 #include "tools/common/messages.h"
 #include "tools/common/process.h"
@@ -39,9 +40,7 @@ fs::path numbered(fs::path path, const std::string& digits) {
 }
 
 std::string hexadecimal(std::uint64_t value) {
-  char text[17];
-  std::snprintf(text, sizeof text, "%016llx", static_cast<unsigned long long>(value));
-  return text;
+  return tool::formed("%016llx", static_cast<unsigned long long>(value));
 }
 
 std::string utc_now() {

@@ -16,8 +16,7 @@
 #include "tools/common/machine.h"
 #include "tools/common/messages.h"
 #include "tools/common/process.h"
-#include "tools/common/standard_streams.h"
-#include "tools/common/version.h"
+#include "tools/common/tool_main.h"
 #include "tools/lentray-batch/arguments.h"
 #include "tools/lentray-batch/cluster.h"
 #include "tools/lentray-batch/manifest.h"
@@ -322,31 +321,16 @@ class Batch {
   const std::chrono::steady_clock::time_point m_start = std::chrono::steady_clock::now();
 };
 
-int run_main(const std::vector<std::string>& words) {
-  try {
-    const Arguments arguments = parse_arguments(words);
-    if (arguments.version) {
-      std::printf("lentray-batch %s\n", tool::kVersion);
-      return kAll;
-    }
-    if (arguments.help || words.empty()) {
-      std::fputs(usage().c_str(), stdout);
-      return arguments.help ? kAll : kNoBatch;
-    }
-    if (!arguments.worker.empty()) return do_task(arguments);
-    return Batch(arguments).run();
-  } catch (const std::exception& error) {
-    std::fprintf(stderr, "lentray-batch: %s\n", parser::shown_text(error.what()).c_str());
-    return kNoBatch;
-  }
+int batch(const Arguments& arguments) {
+  tool::hold_signals();
+  return arguments.worker.empty() ? Batch(arguments).run() : do_task(arguments);
 }
 
 }  // namespace
 }  // namespace lentray::batch
 
 int main(int count, char** words) {
-  lentray::tool::hold_standard_streams();
-  lentray::tool::hold_signals();
-  const int status = lentray::batch::run_main(std::vector<std::string>(words + 1, words + count));
-  return lentray::tool::finish_standard_output("lentray-batch", status);
+  using namespace lentray::batch;
+  return lentray::tool::tool_main({"lentray-batch", kNoBatch, true}, count, words, parse_arguments,
+                                  usage, batch);
 }

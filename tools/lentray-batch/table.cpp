@@ -2,9 +2,10 @@
 
 #include <algorithm>
 #include <array>
-#include <cstdio>
 #include <map>
 #include <utility>
+
+#include "tools/common/formed.h"
 
 namespace lentray::batch {
 namespace {
@@ -12,11 +13,7 @@ namespace {
 constexpr std::array<std::string_view, 6> kGradeOrder{"exact", "match",   "noise",
                                                       "close", "differs", "fails"};
 
-std::string number(const char* how, double value) {
-  char text[64];
-  std::snprintf(text, sizeof text, how, value);
-  return text;
-}
+std::string number(const char* how, double value) { return tool::formed(how, value); }
 
 std::string joined(const std::vector<std::string>& words) {
   std::string out;

@@ -137,11 +137,7 @@ Arguments parse_arguments(const std::vector<std::string>& words) {
   Arguments arguments;
   for (std::size_t i = 0; i < words.size(); ++i) {
     const std::string& word = words[i];
-    if (word == "--help" || word == "-?") {
-      arguments.help = true;
-    } else if (word == "--version") {
-      arguments.version = true;
-    } else if (word == "--no-stock") {
+    if (word == "--no-stock") {
       arguments.with_stock = false;
     } else if (word == "--quick") {
       arguments.quick = true;
@@ -156,7 +152,6 @@ Arguments parse_arguments(const std::vector<std::string>& words) {
       take_scene(arguments, word);
     }
   }
-  if (arguments.help || arguments.version) return arguments;
   check(arguments);
   const fs::path beside = fs::read_symlink("/proc/self/exe").parent_path();
   if (arguments.lentray.empty()) arguments.lentray = beside / "lentray";

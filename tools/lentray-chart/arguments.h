@@ -13,7 +13,6 @@
 namespace lentray::chart {
 
 struct Arguments {
-  bool help = false, version = false;
   std::string scene;          ///< as given
   std::filesystem::path out;  ///< the chart's folder, as given
   int repeats = 3;

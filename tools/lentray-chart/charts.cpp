@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdio>
 
+#include "tools/common/formed.h"
 #include "tools/common/gnuplot.h"
 #include "tools/common/inline_svg.h"
 #include "tools/common/page_text.h"
@@ -52,17 +53,8 @@ static_assert(kKinds == static_cast<std::size_t>(Kind::exact) + 1, "each kind ha
 
 std::size_t place_of(Kind kind) { return static_cast<std::size_t>(kind); }
 
-std::string format(const char* pattern, double value) {
-  char buffer[48];
-  std::snprintf(buffer, sizeof buffer, pattern, value);
-  return buffer;
-}
-std::string number(double value) { return format("%.9g", value); }
-std::string colour(unsigned rgb) {
-  char buffer[16];
-  std::snprintf(buffer, sizeof buffer, "'#%06x'", rgb);
-  return buffer;
-}
+std::string number(double value) { return tool::formed("%.9g", value); }
+std::string colour(unsigned rgb) { return tool::formed("'#%06x'", rgb); }
 
 /// In gnuplot's single quotes.
 std::string quoted(const std::string& text) {
@@ -76,7 +68,9 @@ std::string quoted(const std::string& text) {
 
 bool is_timed(const Point& p) { return p.state == State::done && !p.cpu_s.empty(); }
 double time_of(const Point& p) { return std::max(kLeastSeconds, p.seconds()); }
-std::string number_of_seconds(double s) { return format(s < 9.995 ? "%.3g" : "%.0f", s) + " s"; }
+std::string number_of_seconds(double s) {
+  return tool::formed(s < 9.995 ? "%.3g" : "%.0f", s) + " s";
+}
 
 /// Where a chart lies on a canvas, in pixels from its left and top.
 struct Frame {
@@ -119,7 +113,7 @@ std::string log_tics(const LogAxis& axis, std::size_t most, double zero) {
   const std::size_t stride = std::max<std::size_t>(1, (tics.size() + most - 1) / most);
   std::string out = zero > 0.0 ? "'0' " + number(zero) : "";
   for (std::size_t i = 0; i < tics.size(); i += stride) {
-    out += (out.empty() ? "'" : ", '") + format("%g", tics[i]) + "' " + number(tics[i]);
+    out += (out.empty() ? "'" : ", '") + tool::formed("%g", tics[i]) + "' " + number(tics[i]);
   }
   return "(" + out + ")";
 }
@@ -482,12 +476,12 @@ std::vector<tool::ChartColour> page_colours() {
 }
 
 std::string hit(const Point& p, double x, double y, bool is_first) {
-  const std::string error = p.error ? ", error " + format("%.3g", p.error->rms) : "";
+  const std::string error = p.error ? ", error " + tool::formed("%.3g", p.error->rms) : "";
   const std::string text =
       tool::html_text(p.setting.label + ": " + number_of_seconds(p.seconds()) + error);
   return "<circle class=\"hit\" data-id=\"" + tool::html_text(p.setting.id) + "\" data-kind=\"" +
-         tool::html_text(name_of(p.setting.kind)) + "\" cx=\"" + format("%.1f", x) + "\" cy=\"" +
-         format("%.1f", y) + "\" r=\"9\" tabindex=\"" + (is_first ? "0" : "-1") +
+         tool::html_text(name_of(p.setting.kind)) + "\" cx=\"" + tool::formed("%.1f", x) +
+         "\" cy=\"" + tool::formed("%.1f", y) + "\" r=\"9\" tabindex=\"" + (is_first ? "0" : "-1") +
          "\" role=\"button\" aria-label=\"" + text + "\"/>\n";
 }
 

@@ -1,11 +1,11 @@
 #include "tools/lentray-chart/compare.h"
 
 #include <algorithm>
-#include <cstdio>
 #include <limits>
 
 #include "core/image/reader.h"
 #include "tools/common/duration.h"
+#include "tools/common/formed.h"
 #include "tools/lentray-chart/errors.h"
 #include "tools/lentray-chart/reference.h"
 
@@ -38,11 +38,7 @@ double smallest_error(const Session& session, const core::StoredImage& reference
   return smallest;
 }
 
-std::string change_text(double change) {
-  char text[40];
-  std::snprintf(text, sizeof text, "%.3g/255", change);
-  return text;
-}
+std::string change_text(double change) { return tool::formed("%.3g/255", change); }
 
 /// One reference on its way.
 class Convergence {

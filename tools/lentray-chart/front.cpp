@@ -1,11 +1,11 @@
 #include "tools/lentray-chart/front.h"
 
 #include <algorithm>
-#include <cstdio>
 #include <tuple>
 #include <utility>
 
 #include "tools/common/duration.h"
+#include "tools/common/formed.h"
 #include "tools/common/shell_words.h"
 
 namespace lentray::chart {
@@ -42,11 +42,7 @@ const Point* dominator(const Chart& chart, const Point& p) {
   return best;
 }
 
-std::string error_text(double rms) {
-  char text[48];
-  std::snprintf(text, sizeof text, "%.3g/255", rms);
-  return text;
-}
+std::string error_text(double rms) { return tool::formed("%.3g/255", rms); }
 
 /// Exact settings last: they are chosen where nothing else of their error is fast enough.
 std::vector<const Point*> candidates(const Chart& chart) {

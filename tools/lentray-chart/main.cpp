@@ -8,16 +8,15 @@
 #include <thread>
 
 #include "core/image/run_files.h"
-#include "parser/base/shown.h"
 #include "parser/files/watched_files.h"
 #include "tools/common/child.h"
 #include "tools/common/duration.h"
+#include "tools/common/formed.h"
 #include "tools/common/json_text.h"
 #include "tools/common/machine.h"
 #include "tools/common/process.h"
 #include "tools/common/shell_words.h"
-#include "tools/common/standard_streams.h"
-#include "tools/common/version.h"
+#include "tools/common/tool_main.h"
 #include "tools/lentray-chart/arguments.h"
 #include "tools/lentray-chart/charts.h"
 #include "tools/lentray-chart/compare.h"
@@ -254,11 +253,7 @@ class Charting {
 
   static Status worse(Status a, Status b) { return a == kDone ? b : a; }
 
-  static std::string error_text(double rms) {
-    char text[40];
-    std::snprintf(text, sizeof text, "%.3g/255", rms);
-    return text;
-  }
+  static std::string error_text(double rms) { return tool::formed("%.3g/255", rms); }
 
   const Arguments& m_arguments;
   const ChartFolder m_folder;
@@ -266,24 +261,13 @@ class Charting {
   Session m_session;
 };
 
-int run_main(const std::vector<std::string>& words) {
+int chart(const Arguments& arguments) {
+  tool::hold_signals();
   try {
-    const Arguments arguments = parse_arguments(words);
-    if (arguments.version) {
-      std::cout << "lentray-chart " << tool::kVersion << std::endl;
-      return kDone;
-    }
-    if (arguments.help) {
-      std::cout << usage();
-      return kDone;
-    }
     return Charting(arguments).run();
   } catch (const Stopped&) {
     std::cerr << "lentray-chart: stopped; the same command begins again" << std::endl;
     return kStopped;
-  } catch (const std::exception& e) {
-    std::cerr << "lentray-chart: " << parser::shown_text(e.what()) << std::endl;
-    return kError;
   }
 }
 
@@ -291,8 +275,6 @@ int run_main(const std::vector<std::string>& words) {
 }  // namespace lentray::chart
 
 int main(int count, char** words) {
-  lentray::tool::hold_standard_streams();
-  lentray::tool::hold_signals();
-  const int status = lentray::chart::run_main(std::vector<std::string>(words + 1, words + count));
-  return lentray::tool::finish_standard_output("lentray-chart", status);
+  using namespace lentray::chart;
+  return lentray::tool::tool_main({"lentray-chart"}, count, words, parse_arguments, usage, chart);
 }

@@ -3,11 +3,11 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdio>
 #include <span>
 
 #include "shadow/pixel_orders.h"
 #include "shadow/tester_factory.h"
+#include "tools/common/formed.h"
 
 namespace lentray::chart {
 namespace {
@@ -291,9 +291,7 @@ std::vector<const Point*> levels_of(const std::vector<Point>& points, Kind kind)
 }  // namespace
 
 std::string number_text(double value) {
-  char text[32];
-  std::snprintf(text, sizeof text, value == std::floor(value) ? "%.0f" : "%.6g", value);
-  return text;
+  return tool::formed(value == std::floor(value) ? "%.0f" : "%.6g", value);
 }
 
 std::vector<Setting> settings_of(const MatrixRequest& request) { return Matrix(request).all(); }

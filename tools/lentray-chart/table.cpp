@@ -4,16 +4,13 @@
 #include <cstdio>
 
 #include "tools/common/csv.h"
+#include "tools/common/formed.h"
 #include "tools/common/shell_words.h"
 
 namespace lentray::chart {
 namespace {
 
-std::string number(double value) {
-  char text[40];
-  std::snprintf(text, sizeof text, "%.6g", value);
-  return text;
-}
+std::string number(double value) { return tool::formed("%.6g", value); }
 
 const char* name_of(State state) {
   switch (state) {
@@ -61,11 +58,7 @@ void add_row(std::string& out, const std::vector<std::string>& cells) {
   out += cells[4] + "\n";
 }
 
-std::string fixed(const char* how, double value) {
-  char text[40];
-  std::snprintf(text, sizeof text, how, value);
-  return text;
-}
+std::string fixed(const char* how, double value) { return tool::formed(how, value); }
 
 std::string front_of(const Chart& chart, bool lens_models) {
   std::vector<const Point*> front;

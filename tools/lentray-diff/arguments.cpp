@@ -51,14 +51,6 @@ class Parsing {
 
  private:
   void own(const std::string& word, const std::vector<std::string>& words, std::size_t& i) {
-    if (word == "--help") {
-      m_out.help = true;
-      return;
-    }
-    if (word == "--version") {
-      m_out.version = true;
-      return;
-    }
     if (word == "--no-pictures") {
       m_out.write_pictures = false;
       return;
@@ -243,7 +235,6 @@ class Parsing {
   }
 
   void finish() const {
-    if (m_out.help || m_out.version) return;
     if (!m_out.pictures.empty()) {
       if (!m_out.scene.empty() || m_out.pictures.size() != 2) {
         throw OptionError("give a scene, or two pictures");

@@ -19,7 +19,6 @@ namespace lentray::diff {
 enum class AskNoise { where_it_is, always, never };
 
 struct Arguments {
-  bool help = false, version = false;
   std::filesystem::path scene;                  ///< empty when two pictures are compared
   std::vector<std::filesystem::path> pictures;  ///< none or two
   std::optional<double> lens_pixels;            ///< Lens_Pixels=, for two pictures

@@ -13,13 +13,11 @@
 #include "core/image/reader.h"
 #include "core/image/run_files.h"
 #include "core/numeric/lens_columns.h"
-#include "parser/base/shown.h"
 #include "parser/options/options.h"
 #include "tools/common/json_text.h"
 #include "tools/common/machine.h"
 #include "tools/common/process.h"
-#include "tools/common/standard_streams.h"
-#include "tools/common/version.h"
+#include "tools/common/tool_main.h"
 #include "tools/lentray-diff/arguments.h"
 #include "tools/lentray-diff/noise.h"
 #include "tools/lentray-diff/report.h"
@@ -351,31 +349,17 @@ int only_write_wrappers(const Arguments& a) {
   return kReached;
 }
 
-int run_main(const std::vector<std::string>& words) {
-  try {
-    const Arguments arguments = parse_arguments(words);
-    if (arguments.version) {
-      std::cout << "lentray-diff " << tool::kVersion << std::endl;
-      return kReached;
-    }
-    if (arguments.help || words.empty()) {
-      std::cout << usage();
-      return arguments.help ? kReached : kError;
-    }
-    if (arguments.stock_alone) return render_stock_alone(arguments);
-    if (!arguments.wrappers.empty()) return only_write_wrappers(arguments);
-    return compare_and_report(arguments);
-  } catch (const std::exception& e) {
-    std::cerr << "lentray-diff: " << parser::shown_text(e.what()) << std::endl;
-    return kError;
-  }
+int diff(const Arguments& arguments) {
+  if (arguments.stock_alone) return render_stock_alone(arguments);
+  if (!arguments.wrappers.empty()) return only_write_wrappers(arguments);
+  return compare_and_report(arguments);
 }
 
 }  // namespace
 }  // namespace lentray::diff
 
 int main(int count, char** words) {
-  lentray::tool::hold_standard_streams();
-  const int status = lentray::diff::run_main(std::vector<std::string>(words + 1, words + count));
-  return lentray::tool::finish_standard_output("lentray-diff", status);
+  using namespace lentray::diff;
+  return lentray::tool::tool_main({"lentray-diff", kError, true}, count, words, parse_arguments,
+                                  usage, diff);
 }

@@ -2,9 +2,10 @@
 
 #include <cctype>
 #include <cmath>
-#include <cstdio>
 #include <sstream>
 #include <stdexcept>
+
+#include "tools/common/formed.h"
 
 namespace lentray::diff {
 
@@ -13,11 +14,7 @@ using core::Vec3;
 
 namespace {
 
-std::string text_of(double value) {
-  char buffer[40];
-  std::snprintf(buffer, sizeof buffer, "%.17g", value);
-  return buffer;
-}
+std::string text_of(double value) { return tool::formed("%.17g", value); }
 
 std::string text_of(const Vec3& v) {
   return "<" + text_of(v.x) + "," + text_of(v.y) + "," + text_of(v.z) + ">";

@@ -82,12 +82,9 @@ Arguments parse_arguments(const std::vector<std::string>& words) {
   arguments.caches.assign(shadow::tester_names().begin(), shadow::tester_names().end());
   for (std::size_t i = 0; i < words.size(); ++i) {
     const std::string& word = words[i];
+    arguments.command += " " + word;
     refuse_ours(word);
-    if (word == "--help" || word == "-?") {
-      arguments.help = true;
-    } else if (word == "--version") {
-      arguments.version = true;
-    } else if (const auto own = parser::own_option(words, i, kNames)) {
+    if (const auto own = parser::own_option(words, i, kNames)) {
       kApply[own->index](arguments, own->given);
     } else if (word.rfind("--", 0) == 0) {
       throw OptionError("unknown option '" + word + "'; --help tells all");
@@ -98,7 +95,6 @@ Arguments parse_arguments(const std::vector<std::string>& words) {
       arguments.scenes.push_back(word);
     }
   }
-  if (arguments.help || arguments.version) return arguments;
   if (arguments.scenes.empty()) throw OptionError("no scene given");
   for (const std::string& scene : arguments.scenes) {
     if (!std::filesystem::is_regular_file(scene)) {

@@ -9,7 +9,6 @@
 namespace lentray::grouping {
 
 struct Arguments {
-  bool help = false, version = false;
   std::vector<std::string> scenes;
   std::vector<std::string> orders, caches;  ///< all there are, unless said otherwise
   std::vector<std::string> accelerators{"bvh"};
@@ -18,6 +17,7 @@ struct Arguments {
   std::filesystem::path csv, html, gains;
   std::filesystem::path lentray;  ///< the program; empty: beside this one
   std::vector<std::string> for_lentray;
+  std::string command = "lentray-grouping";  ///< as it was typed
 };
 
 /// At commas outside brackets: "rows,strips(4,8)" is two.

@@ -56,11 +56,7 @@ Arguments parse_arguments(const std::vector<std::string>& words) {
   Arguments arguments;
   for (std::size_t i = 0; i < words.size(); ++i) {
     const std::string& word = words[i];
-    if (word == "--help" || word == "-?") {
-      arguments.help = true;
-    } else if (word == "--version") {
-      arguments.version = true;
-    } else if (const auto own = parser::own_option(words, i, kNames)) {
+    if (const auto own = parser::own_option(words, i, kNames)) {
       apply(arguments, own->index, own->given);
     } else if (word.starts_with("-")) {
       throw OptionError("unknown option '" + word.substr(0, word.find('=')) +
@@ -69,7 +65,7 @@ Arguments parse_arguments(const std::vector<std::string>& words) {
       arguments.parts.emplace_back(word);
     }
   }
-  if (!arguments.help && !arguments.version) check(arguments);
+  check(arguments);
   return arguments;
 }
 

@@ -10,7 +10,6 @@
 namespace lentray::merge {
 
 struct Arguments {
-  bool help = false, version = false;
   std::vector<std::filesystem::path> parts;
   std::vector<Rows> rows;  ///< of each part; empty: as the parts say
   std::filesystem::path out;

@@ -225,11 +225,7 @@ Arguments parse_arguments(const std::vector<std::string>& words) {
   Arguments arguments;
   for (std::size_t i = 0; i < words.size(); ++i) {
     const std::string& word = words[i];
-    if (word == "--help" || word == "-?") {
-      arguments.help = true;
-    } else if (word == "--version") {
-      arguments.version = true;
-    } else if (word == "--measure") {
+    if (word == "--measure") {
       arguments.measure = true;
     } else if (const auto own = parser::own_option(words, i, kNames)) {
       kApply[own->index](arguments, own->given);
@@ -237,7 +233,7 @@ Arguments parse_arguments(const std::vector<std::string>& words) {
       unknown(word);
     }
   }
-  if (!arguments.help && !arguments.version) check(arguments);
+  check(arguments);
   return arguments;
 }
 

@@ -19,7 +19,6 @@ struct Range {
 };
 
 struct Arguments {
-  bool help = false, version = false;
   camera::LensParameters lens;           ///< the paper's unless said otherwise
   std::uint32_t lenses = 133, rows = 0;  ///< rows 0: as many as columns
   Range a{0.5, 40.0, 1.0}, d{0.0, 40.0, 1.0};

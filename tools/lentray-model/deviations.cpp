@@ -1,5 +1,6 @@
 #include "tools/lentray-model/deviations.h"
 #include "tools/common/csv.h"
+#include "tools/common/formed.h"
 
 #include <cmath>
 #include <cstdio>
@@ -25,12 +26,6 @@ bool over_the_edge(const shadow::PaperSheet& sheet, const shadow::ShadowSquare& 
   const double low = 0.5 * sheet.height();
   return shadow.x - fan < -half || shadow.x + shadow.size + fan > half || shadow.y < -low ||
          shadow.y + shadow.size > low;
-}
-
-std::string format(const char* pattern, double value) {
-  char buffer[48];
-  std::snprintf(buffer, sizeof buffer, pattern, value);
-  return buffer;
 }
 
 std::string padded(std::string text, std::size_t width, bool left = false) {
@@ -114,9 +109,9 @@ std::string csv_of(const std::vector<Deviation>& all) {
       "style,alpha,region,points,equal,mean,mean_relative,worst,A,D,closed_form,enumerated\n";
   for (const Deviation& d : all) {
     out += d.style + "," + shadow::paper::name_of(d.alpha) + "," + d.region + "," +
-           std::to_string(d.points) + "," + std::to_string(d.equal) + "," + format("%.6g", d.mean) +
-           "," + format("%.6g", d.mean_relative) + "," + number_text(d.worst) + "," +
-           number_text(d.at.a) + "," + number_text(d.at.d) + "," +
+           std::to_string(d.points) + "," + std::to_string(d.equal) + "," +
+           tool::formed("%.6g", d.mean) + "," + tool::formed("%.6g", d.mean_relative) + "," +
+           number_text(d.worst) + "," + number_text(d.at.a) + "," + number_text(d.at.d) + "," +
            std::to_string(*d.at.closed(d.alpha)) + "," + std::to_string(d.at.enumerated) + "\n";
   }
   return out;
@@ -129,8 +124,8 @@ std::string table_of(const std::vector<Deviation>& all) {
   for (const Deviation& d : all) {
     out += padded(d.style, 10, true) + padded(shadow::paper::name_of(d.alpha), 11, true) +
            padded(d.region, 9, true) + padded(std::to_string(d.points), 8) +
-           padded(std::to_string(d.equal), 8) + padded(format("%.1f", d.mean), 11) +
-           padded(format("%.1f %%", 100.0 * d.mean_relative), 10) +
+           padded(std::to_string(d.equal), 8) + padded(tool::formed("%.1f", d.mean), 11) +
+           padded(tool::formed("%.1f %%", 100.0 * d.mean_relative), 10) +
            padded(number_text(d.worst), 11) + "  " + number_text(d.at.a) + ", " +
            number_text(d.at.d) + ": " + std::to_string(*d.at.closed(d.alpha)) + " for " +
            std::to_string(d.at.enumerated) + "\n";

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cstdio>
-#include <exception>
 #include <functional>
 #include <iostream>
 #include <memory>
@@ -11,11 +10,9 @@
 
 #include "core/image/run_files.h"
 #include "core/image/writer.h"
-#include "parser/base/shown.h"
 #include "tools/common/gnuplot.h"
 #include "tools/common/process.h"
-#include "tools/common/standard_streams.h"
-#include "tools/common/version.h"
+#include "tools/common/tool_main.h"
 #include "tools/lentray-model/arguments.h"
 #include "tools/lentray-model/deviations.h"
 #include "tools/lentray-model/figures.h"
@@ -25,7 +22,7 @@ namespace lentray::model {
 using tool::write_whole;
 namespace {
 
-enum Status : int { kDone = 0, kError = 1, kDiffer = 2 };
+enum Status : int { kDone = 0, kDiffer = 2 };
 
 /// Files are asked for before anything is computed, so that no work is lost on them.
 void check_outputs(const Arguments& a) {
@@ -98,29 +95,10 @@ int model(const Arguments& a) {
   return tell_differences(grid) == 0 ? kDone : kDiffer;
 }
 
-int run_main(const std::vector<std::string>& words) {
-  try {
-    const Arguments arguments = parse_arguments(words);
-    if (arguments.help) {
-      std::cout << usage();
-      return kDone;
-    }
-    if (arguments.version) {
-      std::cout << "lentray-model " << tool::kVersion << std::endl;
-      return kDone;
-    }
-    return model(arguments);
-  } catch (const std::exception& e) {
-    std::cerr << "lentray-model: " << parser::shown_text(e.what()) << std::endl;
-    return kError;
-  }
-}
-
 }  // namespace
 }  // namespace lentray::model
 
 int main(int count, char** words) {
-  lentray::tool::hold_standard_streams();
-  const int status = lentray::model::run_main(std::vector<std::string>(words + 1, words + count));
-  return lentray::tool::finish_standard_output("lentray-model", status);
+  using namespace lentray::model;
+  return lentray::tool::tool_main({"lentray-model"}, count, words, parse_arguments, usage, model);
 }

@@ -366,11 +366,7 @@ Arguments parse_arguments(const std::vector<std::string>& words) {
   std::optional<Reading> reading;
   for (std::size_t i = 0; i < words.size(); ++i) {
     const std::string& word = words[i];
-    if (word == "--help" || word == "-?") {
-      a.help = true;
-    } else if (word == "--version") {
-      a.version = true;
-    } else if (command) {
+    if (command) {
       reading->word(words, i);
     } else {
       for (const CommandName& row : kCommands) {
@@ -384,7 +380,6 @@ Arguments parse_arguments(const std::vector<std::string>& words) {
       reading.emplace(a, *command);
     }
   }
-  if (a.help || a.version) return a;
   if (!command) throw OptionError("no command is given; lentray-print --help tells of all");
   check_together(a);
   return a;

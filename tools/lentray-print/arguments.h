@@ -18,7 +18,6 @@ namespace lentray::print {
 enum class Command { pitch_test, phase_test, eye_test, sheet };
 
 struct Arguments {
-  bool help = false, version = false;
   Command command = Command::sheet;
   std::vector<std::filesystem::path> images;  ///< of `sheet`
   std::filesystem::path out;

@@ -2,10 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <string>
 
 #include "camera/text.h"
+#include "tools/common/formed.h"
 #include "tools/lentray-print/letters.h"
 #include "tools/lentray-print/lines.h"
 #include "tools/lentray-print/page_error.h"
@@ -22,9 +22,7 @@ constexpr double kRulerRoom = 11.0;
 constexpr double kLeastBand = 2.5, kMostBand = 25.0, kBandGap = 0.6;
 
 std::string with_decimals(double value, int decimals) {
-  char text[48];
-  std::snprintf(text, sizeof text, "%.*f", decimals, value);
-  return text;
+  return tool::formed("%.*f", decimals, value);
 }
 
 /// Where the bands go.

@@ -153,7 +153,7 @@ class Reader {
         m_out.pictures.emplace_back(words[i]);
       }
     }
-    if (!m_out.help && !m_out.version) check();
+    check();
     return m_out;
   }
 
@@ -217,11 +217,7 @@ class Reader {
   }
 
   bool flag(const std::string& word) {
-    if (word == "--help" || word == "-?") {
-      m_out.help = true;
-    } else if (word == "--version") {
-      m_out.version = true;
-    } else if (word == "--all") {
+    if (word == "--all") {
       choose(Task::kViews, "--all");
     } else if (word == "--stereo") {
       choose(Task::kStereo, "--stereo");

@@ -38,7 +38,6 @@ struct Range {
 };
 
 struct Arguments {
-  bool help = false, version = false;
   Task task = Task::kDescribe;
   std::vector<std::filesystem::path> pictures;
   std::filesystem::path out;   ///< empty: beside nothing, in the current folder, named by the task

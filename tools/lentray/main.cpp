@@ -51,27 +51,30 @@ using parser::Stream;
 
 std::string line(const std::string& text) { return text.ends_with('\n') ? text : text + "\n"; }
 
-/// Where texts go and how they look once the options are known.
-std::optional<tool::TextStreams> g_texts;
-std::unique_ptr<tool::MessageForm> g_form;
-
-/// What ended the run is said whatever the options are.
-int fail(const std::string& text, int status = tool::kUserError) {
-  std::fputs(parser::shown_text(text).c_str(), stderr);
-  if (g_texts) g_texts->log(Stream::kFatal, text);
-  return status;
-}
-
-/// What is wrong has no place in the scene.
-int fail_nowhere(const std::string& text, int status = tool::kUserError) {
-  return fail(line(g_form ? g_form->error(text) : "lentray: " + text), status);
-}
-
 constexpr const char* kNoMemory = "there is not enough memory for this scene and picture";
+
+/// Where texts go and how they look once the options are known.
+struct Output {
+  std::optional<tool::TextStreams> texts;
+  std::unique_ptr<tool::MessageForm> form;
+
+  /// What ended the run is said whatever the options are.
+  int fail(const std::string& text, int status = tool::kUserError) {
+    std::fputs(parser::shown_text(text).c_str(), stderr);
+    if (texts) texts->log(Stream::kFatal, text);
+    return status;
+  }
+  /// What is wrong has no place in the scene.
+  int fail_nowhere(const std::string& text, int status = tool::kUserError) {
+    return fail(line(form ? form->error(text) : "lentray: " + text), status);
+  }
+  template <typename Work>
+  int guarded(Work work);
+};
 
 /// Runs `work`; what it throws becomes a message and an exit status.
 template <typename Work>
-int guarded(Work work) {
+int Output::guarded(Work work) {
   try {
     return work();
   } catch (const parser::ParseError& error) {
@@ -115,16 +118,15 @@ void tell(const parser::RenderOptions& options, bool as_povray) {
 }
 
 /// The pictures, with guards and warnings around them.
-int run_guarded(const parser::RenderOptions& options) {
-  tool::Warnings warnings(*g_form, options.warning_level);
+int render(const parser::RenderOptions& options, tool::RunGuard& guard, Output& out) {
+  tool::Warnings warnings(*out.form, options.warning_level);
   for (const std::string& text : options.warnings) warnings.tell(text);
   warnings.say();
-  tool::RunGuard guard(tool::TextStreams::keep_at_end);
   guard.limit_memory(options.max_memory > 0.0 ? options.max_memory : tool::machine_memory());
   if (options.max_time > 0.0) guard.limit_time(options.max_time);
-  const int status = guarded([&] {
+  const int status = out.guarded([&] {
     try {
-      return static_cast<int>(tool::run(options, guard.asked(), *g_form, warnings));
+      return tool::run(options, guard.asked(), *out.form, warnings);
     } catch (...) {
       // Warnings first: they often tell what the error is about.
       warnings.say();
@@ -132,7 +134,7 @@ int run_guarded(const parser::RenderOptions& options) {
     }
   });
   if (status == tool::kAborted) {
-    guard.asked() ? tool::tell_stopped()
+    guard.asked() ? guard.tell_stopped()
                   : (void)std::fputs("lentray: stopped by a command\n", stderr);
   }
   return status;
@@ -143,7 +145,8 @@ int run_main(int argc, char** argv) {
   const bool as_povray = called_as_povray(program);
   const std::vector<std::string> arguments(argv + 1, argv + argc);
   parser::RenderOptions options;
-  int status = guarded([&] {
+  Output out;
+  int status = out.guarded([&] {
     try {
       options = parser::read_options(arguments, parser::installed_sources());
     } catch (...) {
@@ -152,36 +155,37 @@ int run_main(int argc, char** argv) {
     }
     if (!options.help && !options.version) tool::judge_options(options);
     parser::drop_scene_writes(options);
-    return static_cast<int>(tool::kDone);
+    return tool::kDone;
   });
   if (status != tool::kDone) return status;
   if (options.list_lens_sheets && !options.help && !options.version) {
-    return guarded([&] {
+    return out.guarded([&] {
       const auto files = parser::installed_lens_sheet_files();
       std::fputs(parser::lens_sheet_list(options, files).c_str(), stdout);
-      return static_cast<int>(tool::kDone);
+      return tool::kDone;
     });
   }
   if (options.help || options.version) {
     tell(options, as_povray);
     return tool::kDone;
   }
-  status = guarded([&] {
-    g_texts.emplace(options);
-    g_form = tool::make_message_form(options.stock_messages.value_or(as_povray), *g_texts);
-    return static_cast<int>(tool::kDone);
+  status = out.guarded([&] {
+    out.texts.emplace(options);
+    out.form = tool::make_message_form(options.stock_messages.value_or(as_povray), *out.texts);
+    return tool::kDone;
   });
   if (status != tool::kDone) return status;
-  if (tool::renders(options)) g_form->begin_run();
-  status = run_guarded(options);
-  const int kept = guarded([&] {
-    g_texts->keep();
-    return static_cast<int>(tool::kDone);
+  tool::RunGuard guard([&out] { out.texts->keep_at_end(); });
+  if (tool::renders(options)) out.form->begin_run();
+  status = render(options, guard, out);
+  const int kept = out.guarded([&] {
+    out.texts->keep();
+    return tool::kDone;
   });
   if (status == tool::kDone) status = kept;
-  if (status == tool::kDone && !g_texts->trouble().empty())
-    status = fail_nowhere(g_texts->trouble());
-  if (tool::renders(options)) g_form->end_run(status);
+  if (status == tool::kDone && !out.texts->trouble().empty())
+    status = out.fail_nowhere(out.texts->trouble());
+  if (tool::renders(options)) out.form->end_run(status);
   return status;
 }
 

@@ -8,6 +8,7 @@
 #include <optional>
 #include <stdexcept>
 
+#include "core/base/deep_threads.h"
 #include "core/image/run_files.h"
 #include "parser/dump/scene_json.h"
 #include "parser/files/watched_files.h"
@@ -326,9 +327,8 @@ void report_advice(Run& run, const Session& session) {
     run.form.texts().write(parser::Stream::kStatistics, run.form.radiosity(*radiosity));
   }
   if (const std::uint64_t cut = run.report.counters.cut_rays; cut > 0) {
-    run.warnings.tell(std::to_string(cut) +
-                      " rays met more surfaces behind one another "
-                      "than there is memory for, and ended there");
+    run.warnings.tell(std::to_string(cut) + " rays met " + std::to_string(core::kMostRays) +
+                      " surfaces behind one another, and ended there");
   }
 }
 

@@ -5,7 +5,6 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <atomic>
 #include <filesystem>
 #include <string>
 
@@ -54,9 +53,6 @@ void copy(std::FILE* from, std::FILE* to) {
     put({buffer, static_cast<std::size_t>(got)}, to);
 }
 
-// A program that is ended can reach nothing else.
-std::atomic<TextStreams*> g_texts{nullptr};
-
 }  // namespace
 
 TextStreams::File* TextStreams::open(const std::string& name) {
@@ -88,12 +84,6 @@ TextStreams::TextStreams(const parser::RenderOptions& o) : m_append(o.append_fil
   set(parser::Stream::kWarning, o.warning_console, o.warning_file);
   set(parser::Stream::kFatal, o.fatal_console, o.fatal_file);
   m_all = open(o.all_file);
-  g_texts = this;
-}
-
-TextStreams::~TextStreams() {
-  TextStreams* self = this;
-  g_texts.compare_exchange_strong(self, nullptr);
 }
 
 void TextStreams::keep() {
@@ -114,16 +104,15 @@ void TextStreams::keep(File& file) {
 }
 
 void TextStreams::keep_at_end() {
-  TextStreams* const texts = g_texts;
-  if (texts == nullptr || !texts->m_keeping.try_lock()) return;
-  for (File& file : texts->m_opened) {
+  if (!m_keeping.try_lock()) return;
+  for (File& file : m_opened) {
     if (!file.waits) continue;
     try {
       core::check_not_input(file.name);
     } catch (const core::ImageError&) {
       continue;
     }
-    const std::unique_ptr<std::FILE, Close> to(open_text(file.name, texts->m_append));
+    const std::unique_ptr<std::FILE, Close> to(open_text(file.name, m_append));
     if (to) copy(file.file.get(), to.get());
   }
 }

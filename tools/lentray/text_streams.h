@@ -21,7 +21,6 @@ class TextStreams {
   /// Opens the files. Throws parser::OptionError if one cannot be written, core::ImageError if it is a file that the
   /// run reads. What stands in a file stays until keep(), for the scene may include it.
   explicit TextStreams(const parser::RenderOptions& options);
-  ~TextStreams();
   TextStreams(const TextStreams&) = delete;
   TextStreams& operator=(const TextStreams&) = delete;
 
@@ -29,7 +28,7 @@ class TextStreams {
   /// core::ImageError if the run has read one of them, and leaves that one as it is.
   void keep();
   /// The same for a program that is ended in the middle of its work. Any thread.
-  static void keep_at_end();
+  void keep_at_end();
 
   /// To the console as well, unless the stream is off there.
   void write(parser::Stream stream, std::string_view text);

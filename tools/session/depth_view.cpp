@@ -2,11 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <filesystem>
 
 #include "camera/parallax.h"
 #include "camera/text.h"
+#include "tools/common/formed.h"
 #include "tools/common/page_text.h"
 #include "tools/session/depth_plan.h"
 
@@ -20,11 +20,7 @@ using camera::SeenObject;
 constexpr std::size_t kMostListed = 24;
 constexpr double kRowHeight = 20.0;
 
-std::string svg_number(double value) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.1f", value);
-  return text;
-}
+std::string svg_number(double value) { return formed("%.1f", value); }
 
 std::string svg_text(double x, double y, const std::string& text, const std::string& more = "") {
   return "<text x=\"" + svg_number(x) + "\" y=\"" + svg_number(y) + "\"" +

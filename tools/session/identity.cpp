@@ -4,23 +4,19 @@
 #include <link.h>
 
 #include <cinttypes>
-#include <cstdio>
 #include <cstring>
 #include <sstream>
 #include <stdexcept>
 
 #include "parser/files/watched_files.h"
 #include "parser/options/create_ini.h"
+#include "tools/common/formed.h"
 #include "tools/common/version.h"
 
 namespace lentray::tool {
 namespace {
 
-std::string hexadecimal(std::uint64_t value) {
-  char text[17];
-  std::snprintf(text, sizeof text, "%016" PRIx64, value);
-  return text;
-}
+std::string hexadecimal(std::uint64_t value) { return formed("%016" PRIx64, value); }
 
 /// The build id that linkers put into a program's notes.
 int read_build_id(dl_phdr_info* info, std::size_t, void* out) {

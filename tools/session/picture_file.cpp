@@ -1,9 +1,9 @@
 #include "tools/session/picture_file.h"
 
-#include <cstdio>
 #include <variant>
 
 #include "camera/text.h"
+#include "tools/common/formed.h"
 #include "tools/common/machine.h"
 #include "tools/common/version.h"
 
@@ -15,9 +15,7 @@ std::string text_of(const camera::Property& property) {
   if (const auto* vector = std::get_if<core::Vec3>(&property.second)) {
     return camera::text_of(*vector);
   }
-  char buffer[32];
-  std::snprintf(buffer, sizeof buffer, "%.17g", std::get<double>(property.second));
-  return buffer;
+  return formed("%.17g", std::get<double>(property.second));
 }
 
 core::ImageMetadata metadata(const CameraSetup& setup) {

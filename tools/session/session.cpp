@@ -11,7 +11,6 @@
 #include "core/accel/hierarchy.h"
 #include "core/accel/light_buffer.h"
 #include "core/base/memory_stages.h"
-#include "core/material/picture.h"
 #include "core/pass/pass_list.h"
 #include "core/render/focal_blur.h"
 #include "core/render/frame.h"
@@ -105,13 +104,12 @@ void Session::read() {
   build.places = m_reading.names_objects || has_sheet ? &m_text->places : nullptr;
   stop_if_asked();
   core::begin_stage("its objects were built");
-  const std::uint64_t pictures_before = core::Picture::bytes_of_all();
   core::SceneParts parts = parser::build_scene(description, diagnostics, build);
   m_not_rendered = parts.not_rendered;
   m_slopes = parts.slopes;
   reduce(parts, m_reading.build.quality);
   stop_if_asked();
-  const std::uint64_t pictures = core::Picture::bytes_of_all() - pictures_before;
+  const std::uint64_t pictures = parts.picture_bytes;
   const std::uint64_t built = core::heap_bytes_since(held_before);
   m_memory.push_back({"pictures", pictures});
   m_memory.push_back({"objects", built - std::min(built, pictures)});
