@@ -29,7 +29,6 @@ class Csg final : public Object {
   bool any(const Ray&, double t_min, double t_max, const RayQuery&) const override;
   bool inside(const Vec3& p) const override;
   void leaves(std::vector<const Leaf*>& out) const override;
-  void drop_shortcuts() override;
   void set_inverse(bool inverse) override;
   Bounds solid_bounds() const override;
   bool is_gated() const override;

@@ -163,17 +163,6 @@ Ball Csg::solid_ball() const {
   return ball;
 }
 
-/// Where parts are gated their boxes are no shortcuts, and stay.
-void Csg::drop_shortcuts() {
-  if (m_fences.empty()) fill_fences();
-  for (auto& child : m_children) child->drop_shortcuts();
-  m_search = nullptr;
-  if (m_core != kHidden) m_core = kNobody;
-  drop_ball();
-  if (m_gated_parts) return;
-  for (Fence& fence : m_fences) fence = {Bounds::everything(), Bounds::everything(), false};
-}
-
 /// Built when it is asked for first: most unions are split into their parts and never ask.
 const Csg::Search& Csg::search() const {
   std::call_once(m_search->once, [this] { build_search(); });

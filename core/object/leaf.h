@@ -34,10 +34,6 @@ class Leaf final : public Object {
   bool any(const Ray&, double t_min, double t_max, const RayQuery&) const override;
   bool inside(const Vec3& p) const override;
   void leaves(std::vector<const Leaf*>& out) const override { out.push_back(this); }
-  void drop_shortcuts() override {
-    m_shape->drop_shortcuts();
-    drop_ball();
-  }
 
   const Shape& shape() const { return *m_shape; }
   /// Null: the shape is in world space.

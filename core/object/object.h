@@ -55,8 +55,6 @@ class Object {
   virtual bool inside(const Vec3& p) const = 0;
   /// Every primitive below, itself included (for what looks and types occur).
   virtual void leaves(std::vector<const Leaf*>& out) const = 0;
-  /// Shape::drop_shortcuts() of all shapes below, and the same of CSG. Bounds may become infinite.
-  virtual void drop_shortcuts() = 0;
 
   /// A ray whose line misses it misses the object. It holds all of the surface but what stands out
   /// of the gates.
@@ -124,7 +122,6 @@ class Object {
   virtual void clips_have_changed() {}
   /// To be called when anything has changed that the ball depends on.
   void fit_ball();
-  void drop_ball() { m_ball = Ball(); }
   /// The first ball, before there are clips or gates.
   void set_ball(const Ball& ball) { m_ball = ball; }
   void set_convexity(Convexity convexity) { m_convexity = convexity; }

@@ -40,7 +40,6 @@ class BicubicPatch final : public Shape {
   Vec3 normal(const Vec3& p, const ShapeHit& hit) const override { return m_net->normal(p, hit); }
   Vec2 uv(const Vec3& p, const ShapeHit& hit) const override;
   std::unique_ptr<Shape> baked(const Transform& t) const override;
-  void drop_shortcuts() override { m_net->drop_shortcuts(); }
 
  private:
   class NetMaker;

@@ -52,8 +52,6 @@ Blob::Blob(double threshold, std::vector<BlobField> fields)
   m_bounds = bounds_in(Transform());
 }
 
-void Blob::drop_shortcuts() { m_fields.drop_shortcuts(); }
-
 /// The fields that add something, as a direction d sees them.
 class Blob::Support {
  public:

@@ -22,9 +22,9 @@ class Blob final : public Shape {
   void all(const Ray& ray, double t_min, double t_max, ShapeHits& hits) const override;
   bool inside(const Vec3& p) const override;
   Vec3 normal(const Vec3& p, const ShapeHit& hit) const override;
-  void drop_shortcuts() override;
 
  private:
+  friend struct PlainShapes;  // tests/unit/plain_shapes.h
   /// Where along a ray a field holds: its distance there is a quadratic of t.
   struct Reach {
     double from, to;

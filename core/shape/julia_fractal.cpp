@@ -48,7 +48,6 @@ class JuliaFractal final : public Shape {
   Vec3 normal(const Vec3& p, const ShapeHit& hit) const override {
     return m_map.normal(p, {hit.u, hit.v});
   }
-  void drop_shortcuts() override { m_foresees = false; }
 
  private:
   using Memory = typename Map::Memory;
@@ -65,7 +64,6 @@ class JuliaFractal final : public Shape {
 
   Map m_map;
   Bounds m_box;
-  bool m_foresees = true;  ///< asks how far a ray stays within
 };
 
 /// Cells that the set has no part in are ruled out by their orbits. Where those say nothing it is
@@ -170,7 +168,7 @@ void JuliaFractal<Map>::crossings(const Ray& ray, Visit&& visit, Anywhere&& anyw
     const Vec3 next = p + direction * step;
     double next_step = least;
     if constexpr (Map::kForesees) {
-      if (is_of_p && m_foresees) sure = m_map.room(memory, least) / least;
+      if (is_of_p) sure = m_map.room(memory, least) / least;
       is_of_p = false;
     }
     if (Map::kForesees && sure >= kSureStep) {

@@ -79,11 +79,6 @@ Bounds Lathe::bounds_in(const Transform& t) const {
   });
 }
 
-void Lathe::drop_shortcuts() {
-  m_reach = Bounds::everything();
-  for (Piece& p : m_pieces) p = {p.curve, -Bounds::kInf, Bounds::kInf, Bounds::kInf};
-}
-
 template <class Visit>
 void Lathe::crossings(const Ray& ray, double t_min, double t_max, Visit&& visit) const {
   constexpr double kSlack = 1e-9;

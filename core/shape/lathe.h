@@ -26,9 +26,9 @@ class Lathe final : public Shape {
   Vec3 normal(const Vec3& p, const ShapeHit& hit) const override;
   /// Around, and along the pieces, each the same share.
   Vec2 uv(const Vec3& p, const ShapeHit& hit) const override;
-  void drop_shortcuts() override;
 
  private:
+  friend struct PlainShapes;  // tests/unit/plain_shapes.h
   struct Piece {
     CurvePiece curve;
     double low, high, widest;  ///< heights, greatest distance from the axis

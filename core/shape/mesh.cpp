@@ -127,10 +127,4 @@ std::unique_ptr<Shape> Mesh::baked(const Transform& t) const {
   return moved;
 }
 
-void Mesh::drop_shortcuts() {
-  auto triangles = std::make_shared<TriangleMesh>(*m_triangles);
-  triangles->open_boxes();
-  m_triangles = std::move(triangles);
-}
-
 }  // namespace lentray::core

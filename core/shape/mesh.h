@@ -52,7 +52,6 @@ class Mesh final : public Shape {
   Vec2 uv(const Vec3& p, const ShapeHit& hit) const override;
   /// Small ones whose triangles are not shared; else the object keeps the transform.
   std::unique_ptr<Shape> baked(const Transform& t) const override;
-  void drop_shortcuts() override;
 
  private:
   std::shared_ptr<const TriangleMesh> m_triangles;

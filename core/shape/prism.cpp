@@ -45,13 +45,6 @@ Bounds Prism::bounds_in(const Transform& t) const {
   });
 }
 
-void Prism::drop_shortcuts() {
-  auto outline = std::make_shared<Outline>(*m_outline);
-  outline->drop_boxes();
-  m_outline = std::move(outline);
-  m_reach = Bounds::everything();
-}
-
 /// False at the tip.
 bool Prism::on_outline(double& u, double& v, double height) const {
   if (m_sweep != Sweep::kConic) return true;

@@ -31,9 +31,9 @@ class Prism final : public Shape {
   bool any(const Ray& ray, double t_min, double t_max) const override;
   bool inside(const Vec3& p) const override;
   Vec3 normal(const Vec3& p, const ShapeHit& hit) const override;
-  void drop_shortcuts() override;
 
  private:
+  friend struct PlainShapes;  // tests/unit/plain_shapes.h
   /// Components along u, v and the sweep.
   Vec3 swept(const Vec3& p) const { return m_sweep == Sweep::kAlongZ ? p : Vec3{p.x, p.z, p.y}; }
   /// Of a place at that height, on the outline.

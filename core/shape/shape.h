@@ -96,9 +96,6 @@ class Shape {
   /// Before the shape is asked: crossings beyond the ball are not wanted, and may be left out. For
   /// shapes that search the whole ray otherwise.
   virtual void keep_within(const Ball& ball) { (void)ball; }
-  /// For tests, before the shape is shared or asked: infinite boxes and plain lists instead of those
-  /// that only spare work. Answers keep their bits; bounds() may become infinite.
-  virtual void drop_shortcuts() {}
 };
 
 }  // namespace lentray::core

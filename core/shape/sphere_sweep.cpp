@@ -153,8 +153,6 @@ Bounds SphereSweep::bounds_in(const Transform& t) const {
 }
 
 /// The parts tell where roots are looked for, and so what their last bits are: they stay.
-void SphereSweep::drop_shortcuts() { m_boxes.assign(m_boxes.size(), Bounds::everything()); }
-
 void SphereSweep::sphere_crossings(std::uint32_t index, double u, const Line& line,
                                    ShapeHits& out) const {
   const Vec3 from = line.point - m_pieces[index].centre_at(u);

@@ -44,9 +44,9 @@ class SphereSweep final : public Shape {
   void all(const Ray& ray, double t_min, double t_max, ShapeHits& hits) const override;
   bool inside(const Vec3& p) const override;
   Vec3 normal(const Vec3& p, const ShapeHit& hit) const override;
-  void drop_shortcuts() override;
 
  private:
+  friend struct PlainShapes;  // tests/unit/plain_shapes.h
   struct Line;
   void crossings(const Ray& ray, double t_min, double t_max, ShapeHits& out) const;
   /// Of a piece of order kOrder, between two parameters; of a straight one with its end spheres.

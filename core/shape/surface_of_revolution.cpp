@@ -77,9 +77,6 @@ Bounds SurfaceOfRevolution::bounds_in(const Transform& t) const {
   });
 }
 
-/// The pieces' widths tell where roots are looked for, and so what their last bits are: they stay.
-void SurfaceOfRevolution::drop_shortcuts() { m_reach = Bounds::everything(); }
-
 /// Pieces as the ray comes to them; those that it comes to beyond t_max, which visit may lower, are left out.
 template <class Visit>
 void SurfaceOfRevolution::crossings(const Ray& ray, double t_min, const double& t_max,

@@ -25,9 +25,9 @@ class SurfaceOfRevolution final : public Shape {
   Vec3 normal(const Vec3& p, const ShapeHit& hit) const override;
   /// Around, and with the height, each piece the same share; -1..0 and 1..2 on the caps.
   Vec2 uv(const Vec3& p, const ShapeHit& hit) const override;
-  void drop_shortcuts() override;
 
  private:
+  friend struct PlainShapes;  // tests/unit/plain_shapes.h
   /// r^2 = ((c3 s + c2) s + c1) s + c0 with s the height above `low`.
   struct Piece {
     double low, high, c0, c1, c2, c3;

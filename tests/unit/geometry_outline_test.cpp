@@ -11,6 +11,7 @@
 #include "core/shape/prism.h"
 #include "core/shape/sphere.h"
 #include "tests/unit/geometry_help.h"
+#include "tests/unit/plain_shapes.h"
 
 namespace lentray::core {
 namespace {
@@ -41,7 +42,7 @@ TEST(UnitCoreOutline, SquaresSayWhatCountingSays) {
     for (const Vec2 at : {Vec2{0, 0}, Vec2{300 * scale, -20 * scale}}) {
       const Outline outline = ring(scale, at);
       Outline plain = outline;
-      plain.drop_boxes();
+      PlainShapes::open(plain);
       int inside = 0;
       for (int i = 0; i < 20000; ++i) {
         const double u = at.u + scale * random.in(-1.7, 1.7),
