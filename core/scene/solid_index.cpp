@@ -4,9 +4,13 @@
 
 namespace lentray::core {
 
+/// Of solids without end what lies beyond the box of the surface does not count: half of space is inside a disc.
 SolidIndex::Solid SolidIndex::solid(std::size_t i) const {
   const Object& object = *m_objects[i];
-  return {&object, object.solid_bounds(), static_cast<std::uint32_t>(i)};
+  Bounds box = object.solid_bounds();
+  const Bounds surface = object.bounds();
+  if (!box.is_finite() && surface.is_finite()) box.intersect(surface);
+  return {&object, box, static_cast<std::uint32_t>(i)};
 }
 
 const WideBvh& SolidIndex::tree() const {

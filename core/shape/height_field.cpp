@@ -219,7 +219,7 @@ HeightField::HeightField(std::shared_ptr<const HeightGrid> grid, double water_le
 }
 
 /// Where the box is turned: of the solid's floor and of the points above it.
-Bounds HeightField::bounds() const {
+Bounds HeightField::own_box() const {
   if (keeps_axes(m_to_space)) return padded(transformed(m_box, m_to_space));
   Bounds b;
   for (int z = 0; z < m_grid->depth(); ++z) {
@@ -377,7 +377,7 @@ void HeightField::all(const Ray& ray, double t_min, double t_max, ShapeHits& hit
       [&](double before) { return before < t_max; });
 }
 
-bool HeightField::inside(const Vec3& p) const {
+bool HeightField::within(const Vec3& p) const {
   const Vec3 at = m_to_space.inverse_point(p);
   if (!(at.x >= 0.0 && at.x < m_box.hi.x && at.z >= 0.0 && at.z < m_box.hi.z)) return false;
   if (at.y >= m_box.hi.y) return false;

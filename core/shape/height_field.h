@@ -65,16 +65,18 @@ class HeightField final : public Shape {
   ShapeTraits traits() const override {
     return {.name = "height_field", .solid_is_unbounded = true};
   }
-  Bounds bounds() const override;
+  Bounds box(const Transform* move) const override { return moved_box(own_box(), move); }
   bool nearest(const Ray& ray, double t_min, double t_max, ShapeHit& hit) const override;
   void all(const Ray& ray, double t_min, double t_max, ShapeHits& hits) const override;
   bool any(const Ray& ray, double t_min, double t_max) const override;
   /// Everything below the surface, beyond the box too.
-  bool inside(const Vec3& p) const override;
+  bool holds(const Vec3& p, bool inverse) const override { return within(p) != inverse; }
   Vec3 normal(const Vec3& p, const ShapeHit& hit) const override;
   std::unique_ptr<Shape> baked(const Transform& t) const override;
 
  private:
+  bool within(const Vec3& p) const;
+  Bounds own_box() const;
   /// Calls visit(t, element) for the triangles met, cell by cell along the ray; element: 2 x cell,
   /// + 1 for the upper triangle. Stops where go_on, asked with t of the cell's start, returns false.
   template <class Visit, class GoOn>

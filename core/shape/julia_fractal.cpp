@@ -34,17 +34,13 @@ class JuliaFractal final : public Shape {
 
   /// Where y stands for z the solid has no end along z.
   ShapeTraits traits() const override {
-    return {.name = "julia_fractal",
-            .solid_is_unbounded = Map::kRemembers,
-            .tells_all = false,
-            .tells_first_alone = true};
+    return {.name = "julia_fractal", .solid_is_unbounded = Map::kRemembers, .tells_all = false};
   }
-  Bounds bounds() const override { return m_box; }
-  Bounds bounds_in(const Transform& t) const override { return box_in(t); }
+  Bounds box(const Transform* move) const override { return move ? box_in(*move) : m_box; }
   bool nearest(const Ray& ray, double t_min, double t_max, ShapeHit& hit) const override;
   void all(const Ray& ray, double t_min, double t_max, ShapeHits& hits) const override;
   bool any(const Ray& ray, double t_min, double t_max) const override;
-  bool inside(const Vec3& p) const override { return m_map.holds(p); }
+  bool holds(const Vec3& p, bool inverse) const override { return m_map.holds(p) != inverse; }
   Vec3 normal(const Vec3& p, const ShapeHit& hit) const override {
     return m_map.normal(p, {hit.u, hit.v});
   }

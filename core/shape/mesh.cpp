@@ -41,7 +41,7 @@ int Mesh::textures_at(const ShapeHit& hit, MeshTexture out[3]) const {
   return 3;
 }
 
-Bounds Mesh::bounds_in(const Transform& t) const {
+Bounds Mesh::box_in(const Transform& t) const {
   Bounds b;
   const MeshData& data = m_triangles->data();
   for (const MeshTriple& f : data.faces) {
@@ -81,12 +81,10 @@ bool Mesh::any(const Ray& ray, double t_min, double t_max) const {
   return m_triangles->any(ray, t_min, t_max);
 }
 
-bool Mesh::inside(const Vec3& p) const {
-  return m_inside_vector && (m_triangles->data().is_open || bounds().contains(p)) &&
+bool Mesh::within(const Vec3& p) const {
+  return (m_triangles->data().is_open || bounds().contains(p)) &&
          m_triangles->odd_crossings({p, *m_inside_vector}, kSelf);
 }
-
-bool Mesh::outside(const Vec3& p) const { return m_inside_vector && !inside(p); }
 
 Vec3 Mesh::normal(const Vec3&, const ShapeHit& hit) const {
   const MeshData& data = m_triangles->data();

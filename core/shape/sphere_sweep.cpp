@@ -146,7 +146,7 @@ SphereSweep::SphereSweep(std::vector<SweepPiece> pieces, double tolerance)
   }
 }
 
-Bounds SphereSweep::bounds_in(const Transform& t) const {
+Bounds SphereSweep::box_in(const Transform& t) const {
   Bounds all;
   for (const SweepPiece& piece : m_pieces) all.include(box_of(piece, t));
   return all;
@@ -267,8 +267,6 @@ bool SphereSweep::within(const Vec3& p, double margin) const {
   }
   return false;
 }
-
-bool SphereSweep::inside(const Vec3& p) const { return within(p, 0.0); }
 
 template <class Visit>
 void SphereSweep::on_surface(const Ray& ray, double t_min, double t_max, Visit&& visit) const {

@@ -229,6 +229,7 @@ TEST(UnitGeometryClips, TheNearestOfAPolynomialIsTheFirstOfAllThatAreKept) {
   c[17] = -0.3;
   Leaf leaf(std::make_unique<Poly>("cubic", 3, c), Transform());
   leaf.set_clips({std::make_shared<Leaf>(std::make_unique<Sphere>(Vec3{}, 1.0), Transform())});
+  leaf.search_within_clips();
   HitArena arena;
   int met = 0;
   for (int i = 0; i < 20000; ++i) {
@@ -272,6 +273,7 @@ TEST(UnitGeometryClips, APolynomialLosesNoCrossingToTheBallOfItsClips) {
     const auto clip =
         std::make_shared<Leaf>(std::make_unique<Sphere>(place.point(on), 0.8), Transform());
     clipped.set_clips({clip});
+    clipped.search_within_clips();
     HitArena arena;
     int met = 0;
     for (int i = 0; i < 8000; ++i) {

@@ -244,7 +244,8 @@ TEST(UnitCoreHeightField, HitsLieOnItsTriangles) {
 }
 
 /// Where the ray's line meets the plane of a triangle well within its edges, in grid space.
-void add_crossing(const std::array<Vec3, 3>& p, const Ray& ray, std::vector<double>& out) {
+void geometry_solids_add_crossing(const std::array<Vec3, 3>& p, const Ray& ray,
+                                  std::vector<double>& out) {
   constexpr double kWithin = 1e-3;
   const Vec3 along = p[1] - p[0], across = p[2] - p[0], n = cross(along, across);
   const double slope = dot(n, ray.direction);
@@ -289,17 +290,24 @@ TEST(UnitCoreHeightField, BlocksLeaveNothingOut) {
         for (int x = 0; x + 1 < kWidth; ++x) {
           const Vec3 a = corner(x, z), b = corner(x + 1, z), c = corner(x, z + 1),
                      d = corner(x + 1, z + 1);
-          add_crossing({a, b, c}, ray, expected);
-          add_crossing({d, c, b}, ray, expected);
+          geometry_solids_add_crossing({a, b, c}, ray, expected);
+          geometry_solids_add_crossing({d, c, b}, ray, expected);
         }
       }
       ShapeHits hits;
       field.all(ray, 1e-9, kGeometrySolidsInf, hits);
       met += expected.size();
       for (const double t : expected) {
-        missed += std::none_of(hits.begin(), hits.end(), [&](const ShapeHit& hit) {
+        const bool gone = std::none_of(hits.begin(), hits.end(), [&](const ShapeHit& hit) {
           return std::fabs(hit.t - t) < 1e-6 * (1.0 + t);
         });
+        if (gone && missed < 6) {
+          std::printf("kind %d round %d t %.12g of %zu; found", kind, round, t, expected.size());
+          for (const ShapeHit& hit : hits) std::printf(" %.12g", hit.t);
+          std::printf(" from %g %g %g way %g %g %g\n", from.x, from.y, from.z, ray.direction.x,
+                      ray.direction.y, ray.direction.z);
+        }
+        missed += gone;
       }
       ShapeHit first;
       const bool is_met = field.nearest(ray, 1e-9, kGeometrySolidsInf, first);

@@ -15,14 +15,15 @@
 namespace lentray::core {
 namespace {
 
-using Hits = std::vector<Hit>;
+using PlainHits = std::vector<Hit>;
 
-Ray in_shape(const Leaf& leaf, const Ray& ray) {
+Ray plain_ray(const Leaf& leaf, const Ray& ray) {
   const Transform* t = leaf.transform();
   return t ? Ray{t->inverse_point(ray.origin), t->inverse_vector(ray.direction)} : ray;
 }
 
-void mesh_hits(const MeshData& data, const Ray& ray, double t_min, double t_max, ShapeHits& hits) {
+void plain_mesh_hits(const MeshData& data, const Ray& ray, double t_min, double t_max,
+                     ShapeHits& hits) {
   const ShearedRay sheared(ray);
   const auto& p = data.vertices;
   for (std::uint32_t face = 0; face < data.faces.size(); ++face) {
@@ -34,39 +35,43 @@ void mesh_hits(const MeshData& data, const Ray& ray, double t_min, double t_max,
   }
 }
 
-void shape_hits(const Shape& shape, const Ray& ray, double t_min, double t_max, ShapeHits& hits) {
+void plain_shape_hits(const Shape& shape, const Ray& ray, double t_min, double t_max,
+                      ShapeHits& hits) {
   const auto* mesh = dynamic_cast<const Mesh*>(&shape);
   if (!mesh) return shape.all(ray, t_min, t_max, hits);
-  mesh_hits(mesh->triangles().data(), ray, t_min, t_max, hits);
+  plain_mesh_hits(mesh->triangles().data(), ray, t_min, t_max, hits);
 }
 
-bool every_inside(const Object::Regions& regions, const Vec3& p);
+bool plain_every_inside(const Object::Regions& regions, const Vec3& p);
 
-bool is_inside(const Leaf& leaf, const Vec3& p) {
+bool plain_is_inside(const Leaf& leaf, const Vec3& p) {
   const Vec3 q = leaf.transform() ? leaf.transform()->inverse_point(p) : p;
-  return leaf.is_inverse() ? leaf.shape().outside(q) : leaf.shape().inside(q);
+  return leaf.shape().holds(q, leaf.is_inverse());
 }
 
-bool joins(CsgKind kind) { return kind == CsgKind::kUnion || kind == CsgKind::kMerge; }
+bool plain_joins(CsgKind kind) { return kind == CsgKind::kUnion || kind == CsgKind::kMerge; }
 
-bool is_inside(const Object& object, const Vec3& p) {
-  if (!every_inside(object.clips(), p)) return false;
-  if (const auto* leaf = dynamic_cast<const Leaf*>(&object)) return is_inside(*leaf, p);
+bool plain_is_inside(const Object& object, const Vec3& p) {
+  if (const auto* gated = dynamic_cast<const Gated*>(&object))
+    return plain_is_inside(gated->content(), p);
+  if (!plain_every_inside(object.clips(), p)) return false;
+  if (const auto* leaf = dynamic_cast<const Leaf*>(&object)) return plain_is_inside(*leaf, p);
   const auto& csg = dynamic_cast<const Csg&>(object);
-  const auto holds = [&](const auto& child) { return is_inside(*child, p); };
-  return joins(csg.kind()) ? std::ranges::any_of(csg.children(), holds)
-                           : std::ranges::all_of(csg.children(), holds);
+  const auto holds = [&](const auto& child) { return plain_is_inside(*child, p); };
+  return plain_joins(csg.kind()) ? std::ranges::any_of(csg.children(), holds)
+                                 : std::ranges::all_of(csg.children(), holds);
 }
 
-bool every_inside(const Object::Regions& regions, const Vec3& p) {
-  return std::ranges::all_of(regions, [&](const auto& region) { return is_inside(*region, p); });
+bool plain_every_inside(const Object::Regions& regions, const Vec3& p) {
+  return std::ranges::all_of(regions,
+                             [&](const auto& region) { return plain_is_inside(*region, p); });
 }
 
 /// Of coinciding surfaces each may seem to hide the other, by rounding: the second then counts if the whole
 /// begins or ends there.
-class Coinciding {
+class PlainCoinciding {
  public:
-  Coinciding(const Csg& csg, const Ray& ray) : m_csg(csg), m_ray(ray) {}
+  PlainCoinciding(const Csg& csg, const Ray& ray) : m_csg(csg), m_ray(ray) {}
   bool counts(double t) {
     if (m_csg.kind() == CsgKind::kDifference) return false;
     const Vec3& o = m_ray.origin;
@@ -80,9 +85,9 @@ class Coinciding {
  private:
   /// Without the clips of the whole.
   bool holds(double t) const {
-    const auto holds_it = [&](const auto& child) { return is_inside(*child, m_ray.at(t)); };
-    return joins(m_csg.kind()) ? std::ranges::any_of(m_csg.children(), holds_it)
-                               : std::ranges::all_of(m_csg.children(), holds_it);
+    const auto holds_it = [&](const auto& child) { return plain_is_inside(*child, m_ray.at(t)); };
+    return plain_joins(m_csg.kind()) ? std::ranges::any_of(m_csg.children(), holds_it)
+                                     : std::ranges::all_of(m_csg.children(), holds_it);
   }
 
   const Csg& m_csg;
@@ -90,78 +95,86 @@ class Coinciding {
   std::vector<double> m_hidden;
 };
 
-void add_hits(const Object& object, const Ray& ray, double t_min, double t_max, Hits& out);
+void plain_add_hits(const Object& object, const Ray& ray, double t_min, double t_max,
+                    PlainHits& out);
 
-bool is_let_through(const Object& object, const Ray& ray) {
+bool plain_lets_pass(const Gated& object, const Ray& ray) {
   return std::ranges::all_of(object.gates(), [&](const auto& gate) {
-    Hits met;
-    add_hits(*gate, ray, 0.0, Bounds::kInf, met);
-    return !met.empty() || is_inside(*gate, ray.origin);
+    PlainHits met;
+    plain_add_hits(*gate, ray, 0.0, Bounds::kInf, met);
+    return !met.empty() || plain_is_inside(*gate, ray.origin);
   });
 }
 
 /// Before the clips of the whole; the last part first.
-void add_csg(const Csg& csg, const Ray& ray, double t_min, double t_max, Hits& out) {
-  Coinciding coinciding(csg, ray);
+void plain_add_csg(const Csg& csg, const Ray& ray, double t_min, double t_max, PlainHits& out) {
+  PlainCoinciding coinciding(csg, ray);
   const auto& parts = csg.children();
   for (std::size_t i = parts.size(); i-- > 0;) {
-    Hits of_part;
-    add_hits(*parts[i], ray, t_min, t_max, of_part);
+    PlainHits of_part;
+    plain_add_hits(*parts[i], ray, t_min, t_max, of_part);
     for (const Hit& hit : of_part) {
       bool kept = true;
       for (std::size_t k = 0; k < parts.size() && csg.kind() != CsgKind::kUnion; ++k) {
-        if (k != i && is_inside(*parts[k], ray.at(hit.t)) == joins(csg.kind())) kept = false;
+        if (k != i && plain_is_inside(*parts[k], ray.at(hit.t)) == plain_joins(csg.kind()))
+          kept = false;
       }
       if (kept || coinciding.counts(hit.t)) out.push_back(hit);
     }
   }
 }
 
-void add_hits(const Object& object, const Ray& ray, double t_min, double t_max, Hits& out) {
-  if (!is_let_through(object, ray)) return;
-  Hits found;
+void plain_add_hits(const Object& object, const Ray& ray, double t_min, double t_max,
+                    PlainHits& out) {
+  if (const auto* gated = dynamic_cast<const Gated*>(&object)) {
+    if (plain_lets_pass(*gated, ray)) plain_add_hits(gated->content(), ray, t_min, t_max, out);
+    return;
+  }
+  PlainHits found;
   if (const auto* leaf = dynamic_cast<const Leaf*>(&object)) {
     ShapeHits hits;
-    shape_hits(leaf->shape(), in_shape(*leaf, ray), t_min, t_max, hits);
+    plain_shape_hits(leaf->shape(), plain_ray(*leaf, ray), t_min, t_max, hits);
     for (const ShapeHit& hit : hits) found.push_back({hit.t, leaf, nullptr, hit, 0});
   } else {
-    add_csg(dynamic_cast<const Csg&>(object), ray, t_min, t_max, found);
+    plain_add_csg(dynamic_cast<const Csg&>(object), ray, t_min, t_max, found);
   }
   for (const Hit& hit : found) {
-    if (every_inside(object.clips(), ray.at(hit.t))) out.push_back(hit);
+    if (plain_every_inside(object.clips(), ray.at(hit.t))) out.push_back(hit);
   }
 }
 
 /// Of equal distances the first in the list.
-bool take_nearest(const Hits& hits, Hit& hit) {
+bool plain_take_nearest(const PlainHits& hits, Hit& hit) {
   const auto first = std::ranges::min_element(hits, {}, &Hit::t);
   if (first == hits.end()) return false;
   hit = *first;
   return true;
 }
 
-bool find_nearest(const Object& object, const Ray& ray, double t_min, double t_max, Hit& hit) {
+bool plain_find_nearest(const Object& object, const Ray& ray, double t_min, double t_max,
+                        Hit& hit) {
+  if (const auto* gated = dynamic_cast<const Gated*>(&object))
+    return plain_lets_pass(*gated, ray) &&
+           plain_find_nearest(gated->content(), ray, t_min, t_max, hit);
   const auto* leaf = dynamic_cast<const Leaf*>(&object);
   if (leaf && leaf->clips().empty() && !dynamic_cast<const Mesh*>(&leaf->shape())) {
     ShapeHit found;
-    if (!is_let_through(object, ray) ||
-        !leaf->shape().nearest(in_shape(*leaf, ray), t_min, t_max, found))
-      return false;
+    if (!leaf->shape().nearest(plain_ray(*leaf, ray), t_min, t_max, found)) return false;
     hit = {found.t, leaf, nullptr, found, 0};
     return true;
   }
-  Hits hits;
+  PlainHits hits;
   const auto* csg = dynamic_cast<const Csg*>(&object);
   if (csg && csg->kind() == CsgKind::kUnion && csg->clips().empty()) {
-    if (!is_let_through(object, ray)) return false;
     for (std::size_t i = csg->children().size(); i-- > 0;) {
       Hit of_part;
-      if (find_nearest(*csg->children()[i], ray, t_min, t_max, of_part)) hits.push_back(of_part);
+      if (plain_find_nearest(*csg->children()[i], ray, t_min, t_max, of_part))
+        hits.push_back(of_part);
     }
   } else {
-    add_hits(object, ray, t_min, t_max, hits);
+    plain_add_hits(object, ray, t_min, t_max, hits);
   }
-  return take_nearest(hits, hit);
+  return plain_take_nearest(hits, hit);
 }
 
 }  // namespace
@@ -202,12 +215,12 @@ PlainObject::PlainObject(Object& object) : m_object(object) {
 
 void PlainObject::all(const Ray& ray, double t_min, double t_max, std::vector<Hit>& hits,
                       const RayQuery&) const {
-  add_hits(m_object, ray, t_min, t_max, hits);
+  plain_add_hits(m_object, ray, t_min, t_max, hits);
 }
 
 bool PlainObject::nearest(const Ray& ray, double t_min, double t_max, Hit& hit,
                           const RayQuery&) const {
-  return find_nearest(m_object, ray, t_min, t_max, hit);
+  return plain_find_nearest(m_object, ray, t_min, t_max, hit);
 }
 
 bool PlainObject::any(const Ray& ray, double t_min, double t_max, const RayQuery& query) const {
@@ -215,6 +228,6 @@ bool PlainObject::any(const Ray& ray, double t_min, double t_max, const RayQuery
   return nearest(ray, t_min, t_max, hit, query);
 }
 
-bool PlainObject::inside(const Vec3& p) const { return is_inside(m_object, p); }
+bool PlainObject::inside(const Vec3& p) const { return plain_is_inside(m_object, p); }
 
 }  // namespace lentray::core

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "core/object/csg.h"
+#include "core/object/gated.h"
 #include "core/object/leaf.h"
 #include "core/shape/outline.h"
 
