@@ -68,7 +68,7 @@ struct NoTally : CountNothing {
 /// The double after a distance, which is positive and finite.
 double next_up(double t) { return std::bit_cast<double>(std::bit_cast<std::uint64_t>(t) + 1); }
 
-/// Nearest hit so far. Of equal distances wins the object whose box the ray enters first, as in stock: what is left
+/// Nearest hit so far. Of equal distances wins the object whose box the ray enters first: what is left
 /// before what is entered. Then the object first in the scene, infinite ones before others.
 struct Best {
   double t;
@@ -191,6 +191,7 @@ template <class T>
 struct AllSearch {
   const Ray& ray;
   double t_min, t_max;
+  bool nearest;  ///< of each object alone
   std::vector<Hit>& hits;
   HitArena& arena;
   T& tally;
@@ -198,7 +199,7 @@ struct AllSearch {
   bool object(const ObjectEntry& e) {
     tally.test(e.type);
     const std::size_t before = hits.size();
-    e.object->all_alone(ray, t_min, t_max, hits, arena);
+    add_hits(*e.object, ray, t_min, t_max, nearest, hits, arena);
     for (std::size_t i = before; i < hits.size(); ++i) {
       hits[i].object = e.object;
       hits[i].place = e.index;
@@ -256,9 +257,9 @@ struct Hierarchy::Impl {
     return what.found;
   }
   template <class T>
-  void all_transparent(const Ray& ray, double t_min, double t_max, std::vector<Hit>& hits,
-                       HitArena& arena, T& tally) const {
-    AllSearch<T> what{ray, t_min, t_max, hits, arena, tally};
+  void all_transparent(const Ray& ray, double t_min, double t_max, bool nearest,
+                       std::vector<Hit>& hits, HitArena& arena, T& tally) const {
+    AllSearch<T> what{ray, t_min, t_max, nearest, hits, arena, tally};
     filters->search_objects(what, t_max);
   }
   template <class Query>
@@ -370,18 +371,18 @@ const Object* Hierarchy::any_opaque(const Ray& ray, double t_min, double t_max, 
   return m_impl->any_opaque(ray, t_min, t_max, arena, none);
 }
 
-void Hierarchy::all_transparent(const Ray& ray, double t_min, double t_max, std::vector<Hit>& hits,
-                                HitArena& arena, Counters* counters) const {
+void Hierarchy::all_transparent(const Ray& ray, double t_min, double t_max, bool nearest,
+                                std::vector<Hit>& hits, HitArena& arena, Counters* counters) const {
   if (!m_impl->filters || m_impl->filters->empty()) return;
   if (counters) {
     m_impl->counted(*counters, [&](Tally& tally) {
-      m_impl->all_transparent(ray, t_min, t_max, hits, arena, tally);
+      m_impl->all_transparent(ray, t_min, t_max, nearest, hits, arena, tally);
       return true;
     });
     return;
   }
   NoTally none;
-  m_impl->all_transparent(ray, t_min, t_max, hits, arena, none);
+  m_impl->all_transparent(ray, t_min, t_max, nearest, hits, arena, none);
 }
 
 const Bounds& Hierarchy::bounds() const { return m_impl->bounds; }

@@ -35,9 +35,10 @@ class Hierarchy {
   const Object* any_opaque(const Ray& ray, double t_min, double t_max, HitArena& arena,
                            Counters* counters) const;
 
-  /// Every hit of objects that are not opaque, unsorted; shadow rays filtering coloured shadows.
-  void all_transparent(const Ray& ray, double t_min, double t_max, std::vector<Hit>& hits,
-                       HitArena& arena, Counters* counters) const;
+  /// Every hit of objects that are not opaque, or the `nearest` of each alone, unsorted; shadow rays
+  /// filtering coloured shadows.
+  void all_transparent(const Ray& ray, double t_min, double t_max, bool nearest,
+                       std::vector<Hit>& hits, HitArena& arena, Counters* counters) const;
 
   /// Of all objects that can be met.
   const Bounds& bounds() const;

@@ -155,13 +155,13 @@ LightBuffer::Answer LightBuffer::any_opaque(const Spot& spot, const Ray& ray, do
 }
 
 void LightBuffer::all_transparent(const Spot& spot, const Ray& ray, double t_min, double t_max,
-                                  std::vector<Hit>& hits, HitArena& arena,
+                                  bool nearest, std::vector<Hit>& hits, HitArena& arena,
                                   Counters* counters) const {
   const auto ask = [&](const Caster& caster) {
     if (caster.object == spot.unmet) return;
     if (counters) count(*counters, *caster.object);
     const std::size_t before = hits.size();
-    caster.object->all_alone(ray, t_min, t_max, hits, arena);
+    add_hits(*caster.object, ray, t_min, t_max, nearest, hits, arena);
     for (std::size_t i = before; i < hits.size(); ++i) {
       hits[i].object = caster.object;
       hits[i].place = caster.place;

@@ -60,7 +60,8 @@ class LightBuffer {
                     HitArena& arena, Counters* counters) const;
   /// As Hierarchy::all_transparent.
   void all_transparent(const Spot& spot, const Ray& to_light, double t_min, double t_max,
-                       std::vector<Hit>& hits, HitArena& arena, Counters* counters) const;
+                       bool nearest, std::vector<Hit>& hits, HitArena& arena,
+                       Counters* counters) const;
 
   std::size_t memory() const;
   struct Statistics {

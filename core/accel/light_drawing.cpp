@@ -9,6 +9,7 @@
 #include "core/shape/box.h"
 #include "core/shape/cone.h"
 #include "core/shape/cylinder.h"
+#include "core/shape/double_cone.h"
 #include "core/shape/polygon.h"
 #include "core/shape/smooth_triangle.h"
 #include "core/shape/sphere.h"
@@ -64,6 +65,15 @@ Vec3 triangle_normal(const Shape& shape) {
   return normalized(cross(p[1] - p[0], p[2] - p[0]));
 }
 
+/// Appends points with the whole surface in their convex hull, but for rounding; none where it is infinite.
+void add_hull(const Shape& shape, std::vector<Vec3>& points) {
+  const std::type_info& type = typeid(shape);
+  if (type == typeid(Cone)) return static_cast<const Cone&>(shape).hull(points);
+  if (type == typeid(Cylinder)) return static_cast<const Cylinder&>(shape).hull(points);
+  if (type == typeid(DoubleCone)) return static_cast<const DoubleCone&>(shape).hull(points);
+  add_corners(shape.bounds(), points);
+}
+
 }  // namespace
 
 LightKind light_kind(const Shape* shape) {
@@ -78,8 +88,7 @@ LightKind light_kind(const Shape* shape) {
 const Shape* plain_shape(const Object& object) {
   if (typeid(object) != typeid(Leaf)) return nullptr;
   const auto& leaf = static_cast<const Leaf&>(object);
-  return leaf.transform() || !leaf.clips().empty() || !leaf.gates().empty() ? nullptr
-                                                                            : &leaf.shape();
+  return leaf.transform() || !leaf.clips().empty() ? nullptr : &leaf.shape();
 }
 
 /// Into m_points: the ends of its edges in pairs, relative to the light.
@@ -136,7 +145,7 @@ void LightDrawing::outline(const Subject& subject, const LightWindow& window, Li
   m_points.clear();
   if (typeid(subject.object) == typeid(Leaf)) {
     const auto& leaf = static_cast<const Leaf&>(subject.object);
-    leaf.shape().hull(m_points);
+    add_hull(leaf.shape(), m_points);
     for (Vec3& p : m_points) p = (leaf.transform() ? leaf.transform()->point(p) : p) - m_light;
   } else {
     add_corners(subject.box, m_points);

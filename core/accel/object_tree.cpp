@@ -16,7 +16,7 @@ namespace {
 
 /// Only bare leaves whose shape is already in the world may be tested without the object.
 const Shape* bare_shape(const Object& object) {
-  if (!object.clips().empty() || !object.gates().empty()) return nullptr;
+  if (!object.clips().empty()) return nullptr;
   if (typeid(object) != typeid(Leaf)) return nullptr;
   const auto& leaf = static_cast<const Leaf&>(object);
   return leaf.transform() ? nullptr : &leaf.shape();

@@ -68,7 +68,7 @@ class ObjectTree {
   static constexpr std::uint32_t kKindShift = 29;
   static constexpr std::uint32_t kIndexMask = (1u << kKindShift) - 1;
   static constexpr std::uint32_t kFirstBits = 25;
-  /// An object may be seen beyond its box (Object::is_gated). So its box counts from the ray's start on, and
+  /// A Gated object may be seen beyond its box. So its box counts from the ray's start on, and
   /// what.t_min is left to its hits.
   static constexpr double kBoxesFrom = 0.0;
   enum Kind : std::uint8_t { kOthers, kSpheres, kTriangles, kPolygons };

@@ -456,16 +456,6 @@ LENTRAY_AVX2 unsigned WideBvh::touched_avx2(const WideNode& node, const float lo
   return simd::signs(in);
 }
 
-void WideBvh::open_boxes() {
-  constexpr float kInf = std::numeric_limits<float>::infinity();
-  for (WideNode& node : m_nodes) {
-    for (auto& [low, high] : node.planes) {
-      std::fill_n(low, node.used, -kInf);
-      std::fill_n(high, node.used, kInf);
-    }
-  }
-}
-
 std::size_t WideBvh::memory() const {
   return m_nodes.capacity() * sizeof(WideNode) + m_order.capacity() * sizeof(std::uint32_t);
 }

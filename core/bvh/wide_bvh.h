@@ -219,8 +219,6 @@ class WideBvh {
       }
     }
   }
-  /// Makes every box infinite: all parts are met. For tests of what the boxes spare.
-  void open_boxes();
   static std::uint32_t first_of(std::uint32_t code) {
     return code & ((1u << WideNode::kFirstBits) - 1);
   }

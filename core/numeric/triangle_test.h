@@ -59,7 +59,7 @@ inline bool intersect_triangle(const ShearedRay& ray, const Vec3& a, const Vec3&
   return true;
 }
 
-/// No area at all: stock ignores such triangles, so do all shapes here.
+/// No area at all: shapes leave such triangles out.
 bool triangle_is_degenerate(const Vec3& a, const Vec3& b, const Vec3& c);
 
 }  // namespace lentray::core

@@ -303,7 +303,7 @@ void Csg::for_children_met(const Ray& ray, double t_min, double t_max, const Ray
 template <class Visit>
 void Csg::for_boxes_met(const Ray& ray, double t_min, double t_max, Visit&& visit) const {
   constexpr Chord* kNone = nullptr;
-  // The boxes of gated parts decide for the whole ray, from its start on.
+  // A gated part is seen beyond its box by rays that meet that, from their start on.
   const double boxes_from = std::min(t_min, 0.0);
   if (!m_search && !m_asks_boxes && ball().is_finite()) {
     // Who met the whole's ball meets most of the parts' boxes: their own tests are as quick.
@@ -386,7 +386,6 @@ template <class Visit>
 bool Csg::nearest(const Ray& ray, double t_min, double t_max, Hit& hit,
                   const RayQuery& query) const {
   if (ball().is_missed_by(ray)) return false;
-  if (!gates().empty() && !passes_gates(ray, query)) return false;
   if (clips().empty()) return kept_nearest(ray, t_min, t_max, hit, query);
   Hit found;  // the caller's hit stays as it is unless there is one
   while (kept_nearest(ray, t_min, t_max, found, query)) {
@@ -454,7 +453,6 @@ template <bool kHides>
 
 bool Csg::any(const Ray& ray, double t_min, double t_max, const RayQuery& query) const {
   if (ball().is_missed_by(ray)) return false;
-  if (!gates().empty() && !passes_gates(ray, query)) return false;
   if (is_special()) [[unlikely]]
     return special_any(ray, t_min, t_max, query);
   return any_of_parts<false>(ray, t_min, t_max, query);
@@ -493,7 +491,6 @@ template <bool kHides>
 void Csg::all(const Ray& ray, double t_min, double t_max, std::vector<Hit>& hits,
               const RayQuery& query) const {
   if (ball().is_missed_by(ray)) return;
-  if (!gates().empty() && !passes_gates(ray, query)) return;
   if (is_special()) [[unlikely]]
     return special_all(ray, t_min, t_max, hits, query);
   all_of_parts<false>(ray, t_min, t_max, hits, query);

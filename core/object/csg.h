@@ -16,7 +16,7 @@ enum class CsgKind { kUnion, kIntersection, kDifference, kMerge };
 
 /// A difference is the intersection of its first child with the inverses of the others (which
 /// the constructor inverts); bounds of children are taken when it is built, so children come
-/// complete: their inverse, clips and gates set before.
+/// complete: their inverse and clips set before.
 class Csg final : public Object {
  public:
   Csg(CsgKind kind, std::vector<std::unique_ptr<Object>> children);
@@ -29,24 +29,14 @@ class Csg final : public Object {
   bool any(const Ray&, double t_min, double t_max, const RayQuery&) const override;
   bool inside(const Vec3& p) const override;
   void leaves(std::vector<const Leaf*>& out) const override;
-  void drop_shortcuts() override;
   void set_inverse(bool inverse) override;
   Bounds solid_bounds() const override;
-  bool is_gated() const override;
   Bounds void_bounds() const override;
   Ball solid_ball() const override;
-  bool lies_in_parts() const override { return m_lies_in_parts; }
-  bool is_closed() const override;
 
   /// After `inverse`: what it works as. Only kUnion may be split into its parts.
   CsgKind kind() const { return m_kind; }
   const std::vector<std::unique_ptr<Object>>& children() const { return m_children; }
-  /// Where parts are gated: the box that rays must meet, in place of that of the parts' boxes. Before clips and
-  /// gates are set.
-  void set_box(const Bounds& box);
-  /// Once the whole is complete, which no other CSG has as a part and which is not split: the whole's box becomes
-  /// that of its gated CSG, so that rays which meet it see all of them.
-  void open_parts();
   /// `split_union off`: its parts stay together, and count as one solid.
   void keep_whole() { m_kept_whole = true; }
   bool is_kept_whole() const { return m_kept_whole; }
@@ -107,20 +97,16 @@ class Csg final : public Object {
   void all_of_parts(const Ray&, double t_min, double t_max, std::vector<Hit>&,
                     const RayQuery&) const;
   void fence_children();
-  void open_parts(const Bounds& whole);
   static Fence fence_of(const Object& child);
   void fill_fences() const;
-  Ball surface_ball() const override;
+  Ball surface_ball() const;
   const Search& search() const;
   void build_search() const;
 
   CsgKind m_kind;
   std::string_view m_name;
   Bounds m_surface, m_solid, m_void;  ///< before own clips
-  bool m_gated_parts = false;
-  bool m_lies_in_parts = false;
   bool m_kept_whole = false;
-  bool m_closed = false;     ///< all children are
   bool m_asks_boxes = true;  ///< of few children; else their own tests turn rays away as well
   /// Of an intersection of few: a closed part, in whose solid all that is kept lies. Else nobody,
   /// kHidden where some rays do not see some parts of what is joined, or kOverlap of an intersection of

@@ -24,11 +24,7 @@ bool is_convex_solid(const Shape& shape) {
 Csg::Fence Csg::fence_of(const Object& child) {
   const Bounds solid = child.solid_bounds(), hollow = child.void_bounds();
   const bool beyond = !hollow.is_empty() ? hollow.is_finite() : true;
-  return {child.bounds(),
-          child.is_gated() ? Bounds::everything()
-          : beyond         ? hollow
-                           : solid,
-          beyond};
+  return {child.bounds(), beyond ? hollow : solid, beyond};
 }
 
 /// Boxes from those of the children: what is kept of a child's surface lies in all siblings
@@ -43,14 +39,12 @@ void Csg::fence_children() {
   m_surface = Bounds();
   m_solid = join ? Bounds() : Bounds::everything();
   m_void = join ? Bounds::everything() : Bounds();
-  m_gated_parts = false;
-  m_lies_in_parts = !join;
+  bool lies_in_parts = !join;
   std::vector<Bounds> before(join ? 0 : n + 1, Bounds::everything());
   for (std::size_t i = 0; i < n; ++i) {
     const Object& child = *m_children[i];
     const Bounds solid = child.solid_bounds(), hollow = child.void_bounds();
-    if (child.is_gated()) m_gated_parts = true;
-    m_lies_in_parts = m_lies_in_parts && child.lies_in_parts();
+    lies_in_parts = lies_in_parts && child.lies_in_parts();
     if (join) {
       m_solid.include(solid);
       m_void.intersect(hollow);
@@ -65,12 +59,8 @@ void Csg::fence_children() {
   }
   Bounds after = Bounds::everything();
   for (std::size_t i = join ? 0 : n; i-- > 0;) {
-    if (m_gated_parts) {
-      m_fences[i].surface = m_solid;  // a ray that meets the whole's gate sees all
-    } else {
-      m_fences[i].surface.intersect(before[i]);
-      m_fences[i].surface.intersect(after);
-    }
+    m_fences[i].surface.intersect(before[i]);
+    m_fences[i].surface.intersect(after);
     if (m_fences[i].surface.is_empty()) m_fences[i].surface = Bounds();
     after.intersect(m_children[i]->solid_bounds());
     m_surface.include(m_fences[i].surface);
@@ -78,28 +68,15 @@ void Csg::fence_children() {
   if (m_solid.is_empty()) m_solid = Bounds();
   if (m_void.is_empty()) m_void = Bounds();
   m_search = m_children.size() < kMany ? nullptr : std::make_unique<Search>();
-  fit_ball();
+  set_lies_in_parts(lies_in_parts);
+  set_ball(surface_ball());
   choose_tests();
-}
-
-void Csg::open_parts() {
-  if (m_gated_parts) open_parts(m_surface);
-}
-
-void Csg::open_parts(const Bounds& whole) {
-  for (std::size_t i = 0; i < m_children.size(); ++i) {
-    auto* part = dynamic_cast<Csg*>(m_children[i].get());
-    if (!part || !part->m_gated_parts) continue;
-    part->set_box(whole);
-    part->open_parts(whole);
-    if (i < m_fences.size()) m_fences[i].surface = whole;
-  }
 }
 
 /// Which boxes and parts are asked first. The core is the smallest there is.
 void Csg::choose_tests() {
   m_core = hides_parts() ? kHidden : kNobody;
-  m_closed = false;
+  set_closed(false);
   if (m_search) {
     if (m_core == kNobody && is_overlap()) m_core = kOverlap;
     return;
@@ -112,12 +89,11 @@ void Csg::choose_tests() {
     return radius * radius * 2.0 * std::numbers::pi <
            kMuchLarger * (size.x * size.y + size.y * size.z + size.z * size.x);
   };
-  m_asks_boxes = joins(m_kind) &&
-                 (m_gated_parts || !std::all_of(m_children.begin(), m_children.end(), is_tight));
-  m_closed = !m_gated_parts && m_core != kHidden && clips().empty() && gates().empty() &&
+  m_asks_boxes = joins(m_kind) && !std::all_of(m_children.begin(), m_children.end(), is_tight);
+  set_closed(m_core != kHidden &&
              std::all_of(m_children.begin(), m_children.end(),
-                         [](const auto& child) { return child->is_closed(); });
-  if (joins(m_kind) || m_gated_parts) return;
+                         [](const auto& child) { return child->is_closed(); }));
+  if (joins(m_kind)) return;
   double least = Bounds::kInf;
   for (std::size_t i = 0; i < m_children.size(); ++i) {
     const double radius =
@@ -130,18 +106,15 @@ void Csg::choose_tests() {
 
 /// Whether the surface is that of a solid in which all parts, or all their inverses, overlap.
 bool Csg::is_overlap() const {
-  if (m_gated_parts || m_kind == CsgKind::kUnion || m_kind == CsgKind::kDifference) return false;
+  if (m_kind == CsgKind::kUnion || m_kind == CsgKind::kDifference) return false;
   return std::ranges::all_of(m_children, [this](const auto& child) {
     if (typeid(*child) != typeid(Leaf) || child->is_inverse() != joins(m_kind)) return false;
     const auto& leaf = static_cast<const Leaf&>(*child);
-    return is_convex_solid(leaf.shape()) && leaf.clips().empty() && leaf.gates().empty();
+    return is_convex_solid(leaf.shape()) && leaf.clips().empty();
   });
 }
 
-bool Csg::is_closed() const { return m_closed && clips().empty() && gates().empty(); }
-
 Ball Csg::surface_ball() const {
-  if (m_gated_parts) return {};  // parts are seen, and asked for inside(), beyond their balls
   Ball ball = Ball::around(m_surface);
   // What is kept of a part lies in the solids of its siblings.
   if (!joins(m_kind)) {
@@ -152,26 +125,14 @@ Ball Csg::surface_ball() const {
 
 Ball Csg::solid_ball() const {
   Ball ball;
-  if (!m_gated_parts && joins(m_kind)) {
+  if (joins(m_kind)) {
     Bounds all = m_surface;
     all.include(m_solid);
     ball = Ball::around(all);
-  } else if (!m_gated_parts) {
+  } else {
     for (const auto& child : m_children) ball = smaller(ball, child->solid_ball());
   }
-  for (const auto& clip : clips()) ball = smaller(ball, clip->solid_ball());
-  return ball;
-}
-
-/// Where parts are gated their boxes are no shortcuts, and stay.
-void Csg::drop_shortcuts() {
-  if (m_fences.empty()) fill_fences();
-  for (auto& child : m_children) child->drop_shortcuts();
-  m_search = nullptr;
-  if (m_core != kHidden) m_core = kNobody;
-  drop_ball();
-  if (m_gated_parts) return;
-  for (Fence& fence : m_fences) fence = {Bounds::everything(), Bounds::everything(), false};
+  return within_clips(ball);
 }
 
 /// Built when it is asked for first: most unions are split into their parts and never ask.
@@ -207,26 +168,9 @@ void Csg::build_search() const {
   m_search->solids = WideBvh(solids);
 }
 
-void Csg::set_box(const Bounds& box) {
-  if (!m_gated_parts) return;
-  m_solid = m_surface = box;
-  for (Fence& fence : m_fences) fence.surface = box;
-  m_search = m_children.size() < kMany ? nullptr : std::make_unique<Search>();
-  fit_ball();
-}
+Bounds Csg::bounds() const { return within_clips(m_surface); }
 
-Bounds Csg::bounds() const { return limited(m_surface); }
-
-Bounds Csg::solid_bounds() const {
-  if (const Bounds* gate = solid_gate()) return *gate;
-  Bounds b = m_solid;
-  for (const auto& clip : clips()) {
-    if (!clip->is_gated()) b.intersect(clip->solid_bounds());
-  }
-  return b.is_empty() ? Bounds() : b;
-}
-
-bool Csg::is_gated() const { return m_gated_parts || solid_gate(); }
+Bounds Csg::solid_bounds() const { return within_clips(m_solid); }
 
 Bounds Csg::void_bounds() const { return clips().empty() ? m_void : Bounds::everything(); }
 

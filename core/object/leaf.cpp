@@ -1,5 +1,7 @@
 #include "core/object/leaf.h"
 
+#include "core/shape/poly.h"
+
 namespace lentray::core {
 
 Leaf::Leaf(std::unique_ptr<Shape> shape, const Transform& to_world) : m_shape(std::move(shape)) {
@@ -16,16 +18,16 @@ Leaf::Leaf(std::unique_ptr<Shape> shape, const Transform& to_world) : m_shape(st
                    : m_shape->ball());
 }
 
-void Leaf::clips_have_changed() {
-  Ball kept;
-  for (const auto& clip : clips()) kept = smaller(kept, clip->solid_ball());
-  m_shape->keep_within(m_moved ? transformed(kept, m_moved->transform.inverse()) : kept);
+void Leaf::search_within_clips() {
+  auto* poly = dynamic_cast<Poly*>(m_shape.get());
+  if (!poly) return;
+  const Ball kept = within_clips(Ball());
+  poly->keep_within(m_moved ? transformed(kept, m_moved->transform.inverse()) : kept);
 }
 
-Bounds Leaf::bounds() const { return limited(box()); }
+Bounds Leaf::bounds() const { return within_clips(box()); }
 
 Bounds Leaf::solid_bounds() const {
-  if (const Bounds* gate = solid_gate()) return *gate;
   const ShapeTraits traits = m_shape->traits();
   Bounds b;
   if (is_inverse() || traits.solid_is_unbounded) {
@@ -33,10 +35,7 @@ Bounds Leaf::solid_bounds() const {
   } else if (traits.is_solid) {
     b = box();
   }
-  for (const auto& clip : clips()) {
-    if (!clip->is_gated()) b.intersect(clip->solid_bounds());
-  }
-  return b.is_empty() ? Bounds() : b;
+  return within_clips(b.is_empty() ? Bounds() : b);
 }
 
 Bounds Leaf::void_bounds() const {
@@ -46,21 +45,12 @@ Bounds Leaf::void_bounds() const {
 
 Ball Leaf::solid_ball() const {
   const ShapeTraits traits = m_shape->traits();
-  Ball ball;
-  if (!is_inverse() && traits.is_solid && !traits.solid_is_unbounded) ball = first_ball();
-  for (const auto& clip : clips()) ball = smaller(ball, clip->solid_ball());
-  return ball;
+  const bool is_bounded = !is_inverse() && traits.is_solid && !traits.solid_is_unbounded;
+  return within_clips(is_bounded ? unclipped_ball() : Ball());
 }
 
 void Leaf::set_inverse(bool inverse) {
-  const ShapeTraits traits = m_shape->traits();
-  if (traits.is_solid) {
-    Object::set_inverse(inverse);
-    set_turns_normal(inverse && traits.inverse_turns_normal);
-  } else if (inverse && traits.inverse_turns_normal) {
-    // is_inverse() stays false, so that every inversion asks for true.
-    set_turns_normal(!turns_normal());
-  }
+  if (m_shape->traits().is_solid) Object::set_inverse(inverse);
 }
 
 bool Leaf::shape_nearest(const Ray& ray, double t_min, double t_max, ShapeHit& hit) const {
@@ -71,7 +61,6 @@ bool Leaf::shape_nearest(const Ray& ray, double t_min, double t_max, ShapeHit& h
 bool Leaf::nearest(const Ray& ray, double t_min, double t_max, Hit& hit,
                    const RayQuery& query) const {
   if (ball().is_missed_by(ray)) return false;
-  if (!gates().empty() && !passes_gates(ray, query)) return false;
   ShapeHit found;
   const bool is_there = !clips().empty() ? unclipped_nearest(ray, t_min, t_max, found, query)
                         : m_moved        ? m_shape->nearest(to_shape(ray), t_min, t_max, found)
@@ -106,7 +95,7 @@ bool Leaf::unclipped_nearest(const Ray& ray, double t_min, double t_max, ShapeHi
 
 bool Leaf::any(const Ray& ray, double t_min, double t_max, const RayQuery& query) const {
   if (ball().is_missed_by(ray)) return false;
-  if (!clips().empty() || !gates().empty()) {
+  if (!clips().empty()) {
     Hit hit;
     return Leaf::nearest(ray, t_min, t_max, hit, query);
   }
@@ -114,48 +103,32 @@ bool Leaf::any(const Ray& ray, double t_min, double t_max, const RayQuery& query
   return m_shape->any(to_shape(ray), t_min, t_max);
 }
 
-template <class Ask>
-void Leaf::gather(const Ray& ray, std::vector<Hit>& hits, const RayQuery& query, Ask&& ask) const {
+void Leaf::all(const Ray& ray, double t_min, double t_max, std::vector<Hit>& hits,
+               const RayQuery& query) const {
   if (ball().is_missed_by(ray)) return;
-  if (!gates().empty() && !passes_gates(ray, query)) return;
   ShapeHits& list = query.arena.shape_hits;
   list.clear();
-  ask(m_moved ? to_shape(ray) : ray, list);
+  m_shape->all(m_moved ? to_shape(ray) : ray, t_min, t_max, list);
   for (const ShapeHit& found : list) {
     if (!clips().empty() && !passes_clips(ray.at(found.t))) continue;
     hits.push_back({found.t, this, nullptr, found});
   }
 }
 
-void Leaf::all(const Ray& ray, double t_min, double t_max, std::vector<Hit>& hits,
-               const RayQuery& query) const {
-  gather(ray, hits, query,
-         [&](const Ray& in_shape, ShapeHits& list) { m_shape->all(in_shape, t_min, t_max, list); });
-}
-
-void Leaf::all_alone(const Ray& ray, double t_min, double t_max, std::vector<Hit>& hits,
-                     const RayQuery& query) const {
-  gather(ray, hits, query, [&](const Ray& in_shape, ShapeHits& list) {
-    if (!m_shape->traits().tells_first_alone) return m_shape->all(in_shape, t_min, t_max, list);
-    ShapeHit first;
-    if (m_shape->nearest(in_shape, t_min, t_max, first)) list.push_back(first);
-  });
-}
-
 bool Leaf::inside(const Vec3& p) const {
   if (!clips().empty() && !passes_clips(p)) return false;
   const Vec3 q = m_moved ? m_moved->transform.inverse_point(p) : p;
-  return is_inverse() ? m_shape->outside(q) : m_shape->inside(q);
+  return m_shape->holds(q, is_inverse());
 }
 
 Vec3 Leaf::normal(const Vec3& world_point, const ShapeHit& hit) const {
   if (m_moved) {
     const Vec3 n = m_moved->transform.normal(
         m_shape->normal(m_moved->transform.inverse_point(world_point), hit));
-    return normalized(turns_normal() ? -n : n);
+    return normalized(is_inverse() ? -n : n);
   }
   const Vec3 n = m_shape->normal(world_point, hit);
-  return normalized(turns_normal() ? -n : n);
+  return normalized(is_inverse() ? -n : n);
 }
 
 Vec2 Leaf::uv(const Vec3& world_point, const ShapeHit& hit) const {

@@ -22,22 +22,12 @@ class Leaf final : public Object {
   Bounds solid_bounds() const override;
   Bounds void_bounds() const override;
   Ball solid_ball() const override;
-  bool lies_in_parts() const override { return true; }
-  bool is_closed() const override {
-    return convexity() == Convexity::kConvex && clips().empty() && gates().empty();
-  }
   bool nearest(const Ray&, double t_min, double t_max, Hit&, const RayQuery&) const override;
   void all(const Ray&, double t_min, double t_max, std::vector<Hit>&,
            const RayQuery&) const override;
-  void all_alone(const Ray&, double t_min, double t_max, std::vector<Hit>&,
-                 const RayQuery&) const override;
   bool any(const Ray&, double t_min, double t_max, const RayQuery&) const override;
   bool inside(const Vec3& p) const override;
   void leaves(std::vector<const Leaf*>& out) const override { out.push_back(this); }
-  void drop_shortcuts() override {
-    m_shape->drop_shortcuts();
-    drop_ball();
-  }
 
   const Shape& shape() const { return *m_shape; }
   /// Null: the shape is in world space.
@@ -46,11 +36,10 @@ class Leaf final : public Object {
   Vec3 normal(const Vec3& world_point, const ShapeHit& hit) const;
   Vec2 uv(const Vec3& world_point, const ShapeHit& hit) const;
   void set_inverse(bool inverse) override;
+  /// Once the clips are set: a polynomial need not look for crossings beyond them. Nothing of other shapes.
+  void search_within_clips();
 
  private:
-  /// ask(ray in the shape, list) fills the list.
-  template <class Ask>
-  void gather(const Ray& ray, std::vector<Hit>& hits, const RayQuery& query, Ask&& ask) const;
   bool shape_nearest(const Ray&, double t_min, double t_max, ShapeHit&) const;
   bool unclipped_nearest(const Ray&, double t_min, double t_max, ShapeHit&, const RayQuery&) const;
   /// The direction keeps its length, so that t is the same in both spaces.
@@ -58,9 +47,6 @@ class Leaf final : public Object {
     const Transform& t = m_moved->transform;
     return {t.inverse_point(ray.origin), t.inverse_vector(ray.direction)};
   }
-  Ball surface_ball() const override { return first_ball(); }
-  void clips_have_changed() override;
-
   /// Of the shape, in the world.
   Bounds box() const { return m_moved ? m_moved->box : m_shape->bounds(); }
 

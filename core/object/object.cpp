@@ -13,44 +13,20 @@ bool Object::passes_clips(const Vec3& p) const {
   return true;
 }
 
-bool Object::passes_gates(const Ray& ray, const RayQuery& query) const {
-  for (const auto& gate : gates()) {
-    // Most rays that come here meet it.
-    if (!gate->any(ray, 0.0, Bounds::kInf, query) && !gate->inside(ray.origin)) return false;
-  }
-  return true;
+Bounds Object::within_clips(Bounds b) const {
+  if (clips().empty()) return b;
+  for (const auto& clip : clips()) b.intersect(clip->solid_bounds());
+  return b.is_empty() ? Bounds() : b;
 }
 
-void Object::fit_ball() {
-  m_ball = surface_ball();
-  if (!m_limits) return;
-  for (const auto& clip : m_limits->clips) m_ball = smaller(m_ball, clip->solid_ball());
-  for (const auto& gate : m_limits->gates) m_ball = smaller(m_ball, gate->solid_ball());
-}
-
-Bounds Object::limited(Bounds b) const {
-  if (!m_limits) return b;
-  for (const auto& clip : m_limits->clips) {
-    if (!clip->is_gated()) b.intersect(clip->solid_bounds());
-  }
-  if (b.is_empty()) return Bounds();
-  if (b.is_finite()) return b;
-  // Rays that meet the gates show what lies beyond them, too. So the gates' box holds no surface, but where
-  // there is no other box it stands for one.
-  Bounds common = Bounds::everything();
-  for (const auto& gate : m_limits->gates) {
-    Bounds box = gate->solid_bounds();
-    box.include(gate->bounds());
-    common.intersect(box);
-  }
-  if (common.is_empty()) return Bounds();
-  return common.is_finite() ? common : b;
+Ball Object::within_clips(Ball ball) const {
+  for (const auto& clip : clips()) ball = smaller(ball, clip->solid_ball());
+  return ball;
 }
 
 bool is_seen_afar(const Object& object) {
   const auto is_one = [](const Leaf* leaf) {
-    const std::string_view name = leaf->name();
-    return leaf->transform() || name == "box" || name == "cylinder" || name == "cone";
+    return leaf->transform() || leaf->shape().traits().is_seen_afar;
   };
   if (const auto* leaf = dynamic_cast<const Leaf*>(&object)) return is_one(leaf);
   std::vector<const Leaf*> leaves;

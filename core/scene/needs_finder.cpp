@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "core/object/csg.h"
+#include "core/object/gated.h"
 #include "core/object/leaf.h"
 #include "core/shape/mesh.h"
 
@@ -108,6 +109,8 @@ class Finder {
   }
 
   void look_at_structure(const Object& object) {
+    if (typeid(object) == typeid(Gated))
+      return look_at_structure(static_cast<const Gated&>(object).content());
     if (!object.clips().empty()) m_needs.clipping = true;
     if (typeid(object) == typeid(Csg)) {
       m_needs.csg = true;

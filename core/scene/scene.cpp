@@ -24,7 +24,7 @@ namespace {
 /// An unclipped union's surface is that of its parts, so that each part may stand alone in the
 /// hierarchy, unless the scene wants it whole. (A merge's is not: it has no surfaces inside.)
 Csg* splittable(Object& object) {
-  if (object.is_inverse() || !object.clips().empty() || !object.gates().empty()) return nullptr;
+  if (object.is_inverse() || !object.clips().empty()) return nullptr;
   if (typeid(object) != typeid(Csg)) return nullptr;
   auto& csg = static_cast<Csg&>(object);
   return csg.kind() == CsgKind::kUnion && !csg.is_kept_whole() ? &csg : nullptr;

@@ -4,10 +4,22 @@
 
 namespace lentray::core {
 
+namespace {
+
+/// Of solids without end what lies beyond the box of the surface does not count: half of space is inside a disc.
+Bounds box_of(const Object& object) {
+  Bounds box = object.solid_bounds();
+  const Bounds surface = object.bounds();
+  if (!box.is_finite() && surface.is_finite()) box.intersect(surface);
+  return box;
+}
+
+}  // namespace
+
 SolidIndex::SolidIndex(const std::vector<std::unique_ptr<Object>>& objects) {
   std::vector<Bounds> boxes;
   for (std::size_t i = 0; i < objects.size(); ++i) {
-    const Solid one{objects[i].get(), objects[i]->solid_bounds(), static_cast<std::uint32_t>(i)};
+    const Solid one{objects[i].get(), box_of(*objects[i]), static_cast<std::uint32_t>(i)};
     if (one.bounds.is_empty()) continue;
     if (!one.bounds.is_finite()) {
       m_unbounded.push_back(one);

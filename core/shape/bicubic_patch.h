@@ -24,23 +24,18 @@ class BicubicPatch final : public Shape {
                const Corners& corners = kUnitSquare);
 
   ShapeTraits traits() const override {
-    return {
-        .name = "bicubic_patch", .is_solid = false, .has_uv = true, .inverse_turns_normal = false};
+    return {.name = "bicubic_patch", .is_solid = false, .has_uv = true};
   }
-  Bounds bounds() const override { return m_net->bounds(); }
-  Bounds bounds_in(const Transform& t) const override { return m_net->bounds_in(t); }
+  Bounds box(const Transform* move) const override { return m_net->box(move); }
   bool nearest(const Ray& ray, double t_min, double t_max, ShapeHit& hit) const override {
     return m_net->nearest(ray, t_min, t_max, hit);
   }
   void all(const Ray& ray, double t_min, double t_max, ShapeHits& hits) const override {
     m_net->all(ray, t_min, t_max, hits);
   }
-  bool inside(const Vec3&) const override { return false; }
-  bool outside(const Vec3&) const override { return false; }
   Vec3 normal(const Vec3& p, const ShapeHit& hit) const override { return m_net->normal(p, hit); }
   Vec2 uv(const Vec3& p, const ShapeHit& hit) const override;
   std::unique_ptr<Shape> baked(const Transform& t) const override;
-  void drop_shortcuts() override { m_net->drop_shortcuts(); }
 
  private:
   class NetMaker;

@@ -49,10 +49,8 @@ Blob::Blob(double threshold, std::vector<BlobField> fields)
     const double scale = f.length == 0.0 ? similarity_scale(f.to_blob) * f.radius : 0.0;
     m_rounds.push_back({f.to_blob.point({}), scale > 0.0 ? 1.0 / (scale * scale) : 0.0});
   }
-  m_bounds = bounds_in(Transform());
+  m_bounds = box_in(Transform());
 }
-
-void Blob::drop_shortcuts() { m_fields.drop_shortcuts(); }
 
 /// The fields that add something, as a direction d sees them.
 class Blob::Support {
@@ -165,7 +163,7 @@ double Blob::Support::operator()(const Vec3& d) {
   return most > -Bounds::kInf ? most : m_parts.front().end;  // nothing at all: any answer holds
 }
 
-Bounds Blob::bounds_in(const Transform& t) const {
+Bounds Blob::box_in(const Transform& t) const {
   if (!m_fields.reach().is_finite()) return transformed(m_fields.reach(), t);
   Support support(*this);
   return support_bounds(t, [&](const Vec3& d) { return support(d); });
@@ -299,7 +297,7 @@ void Blob::all(const Ray& ray, double t_min, double t_max, ShapeHits& hits) cons
   append_ordered(each, t_min, t_max, hits);
 }
 
-bool Blob::inside(const Vec3& p) const {
+bool Blob::within(const Vec3& p) const {
   constexpr double kSlack = 1e-6;
   double sum = 0.0;
   m_fields.at_point(

@@ -16,15 +16,16 @@ class Blob final : public Shape {
   Blob(double threshold, std::vector<BlobField> fields);
 
   ShapeTraits traits() const override { return {.name = "blob"}; }
-  Bounds bounds() const override { return m_bounds; }
-  Bounds bounds_in(const Transform& t) const override;
+  Bounds box(const Transform* move) const override { return move ? box_in(*move) : m_bounds; }
   bool nearest(const Ray& ray, double t_min, double t_max, ShapeHit& hit) const override;
   void all(const Ray& ray, double t_min, double t_max, ShapeHits& hits) const override;
-  bool inside(const Vec3& p) const override;
+  bool holds(const Vec3& p, bool inverse) const override { return within(p) != inverse; }
   Vec3 normal(const Vec3& p, const ShapeHit& hit) const override;
-  void drop_shortcuts() override;
 
  private:
+  friend struct PlainShapes;  // tests/unit/plain_shapes.h
+  bool within(const Vec3& p) const;
+  Bounds box_in(const Transform& t) const;
   /// Where along a ray a field holds: its distance there is a quadratic of t.
   struct Reach {
     double from, to;

@@ -33,9 +33,4 @@ BlobFields::BlobFields(std::vector<BlobField> fields) : m_fields(std::move(field
   m_search = WideBvh(m_boxes, options);
 }
 
-void BlobFields::drop_shortcuts() {
-  m_boxes.assign(m_boxes.size(), Bounds::everything());
-  m_search = WideBvh();
-}
-
 }  // namespace lentray::core

@@ -42,10 +42,9 @@ class BlobFields {
   /// Calls visit(i) for those that the point may be in, in order.
   template <class Visit>
   void at_point(const Vec3& p, Visit&& visit) const;
-  /// As Shape::drop_shortcuts().
-  void drop_shortcuts();
 
  private:
+  friend struct PlainShapes;  // tests/unit/plain_shapes.h
   std::vector<BlobField> m_fields;
   std::vector<Bounds> m_boxes;  ///< of each field, a little wider
   WideBvh m_search;             ///< over them, where there are many

@@ -54,8 +54,6 @@ void Box::all(const Ray& ray, double t_min, double t_max, ShapeHits& hits) const
   if (out.t > t_min && out.t < t_max) hits.push_back(out);
 }
 
-bool Box::inside(const Vec3& p) const { return bounds().contains(p); }
-
 Vec3 Box::normal(const Vec3&, const ShapeHit& hit) const {
   Vec3 n;
   n[static_cast<int>(hit.element / 2)] = hit.element & 1u ? 1.0 : -1.0;

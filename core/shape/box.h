@@ -14,12 +14,14 @@ class Box final : public Shape {
   const Vec3& hi() const { return m_hi; }
 
   ShapeTraits traits() const override {
-    return {.name = "box", .convexity = Convexity::kConvex, .has_uv = true};
+    return {.name = "box", .convexity = Convexity::kConvex, .has_uv = true, .is_seen_afar = true};
   }
-  Bounds bounds() const override { return {m_lo, m_hi}; }
+  Bounds box(const Transform* move) const override { return moved_box({m_lo, m_hi}, move); }
   bool nearest(const Ray& ray, double t_min, double t_max, ShapeHit& hit) const override;
   void all(const Ray& ray, double t_min, double t_max, ShapeHits& hits) const override;
-  bool inside(const Vec3& p) const override;
+  bool holds(const Vec3& p, bool inverse) const override {
+    return Bounds{m_lo, m_hi}.contains(p) != inverse;
+  }
   /// By side: ShapeHit::element is 2 * axis + (1 if the upper side).
   Vec3 normal(const Vec3& p, const ShapeHit& hit) const override;
   Vec2 uv(const Vec3& p, const ShapeHit& hit) const override;

@@ -10,10 +10,9 @@ Cone::Cone(const Vec3& base, double base_radius, const Vec3& cap, double cap_rad
       m_base_radius(std::fabs(base_radius)), m_cap_radius(std::fabs(cap_radius)),
       m_slope(m_length > 0.0 ? (m_cap_radius - m_base_radius) / m_length : 0.0), m_open(open) {}
 
-Bounds Cone::bounds() const { return bounds_in(Transform()); }
-
-Bounds Cone::bounds_in(const Transform& t) const {
+Bounds Cone::box(const Transform* move) const {
   if (is_degenerate()) return {};
+  const Transform t = move ? *move : Transform();
   Bounds b = circle_bounds(m_base, m_axis, m_base_radius, t);
   b.include(circle_bounds(m_base + m_axis * m_length, m_axis, m_cap_radius, t));
   return padded(b);
@@ -105,7 +104,7 @@ void Cone::all(const Ray& ray, double t_min, double t_max, ShapeHits& hits) cons
   append_between(found, crossings(ray, t_min, found), t_min, t_max, hits);
 }
 
-bool Cone::inside(const Vec3& p) const {
+bool Cone::within(const Vec3& p) const {
   if (is_degenerate()) return false;
   const Vec3 q = p - m_base;
   const double z = dot(q, m_axis);

@@ -8,10 +8,9 @@ Cylinder::Cylinder(const Vec3& base, const Vec3& cap, double radius, bool open)
     : m_base(base), m_axis(normalized(cap - base)), m_length(length(cap - base)),
       m_radius(std::fabs(radius)), m_open(open) {}
 
-Bounds Cylinder::bounds() const { return bounds_in(Transform()); }
-
-Bounds Cylinder::bounds_in(const Transform& t) const {
+Bounds Cylinder::box(const Transform* move) const {
   if (is_degenerate()) return {};
+  const Transform t = move ? *move : Transform();
   Bounds b = circle_bounds(m_base, m_axis, m_radius, t);
   b.include(circle_bounds(cap(), m_axis, m_radius, t));
   return padded(b);
@@ -88,7 +87,7 @@ void Cylinder::all(const Ray& ray, double t_min, double t_max, ShapeHits& hits) 
   append_between(found, crossings(ray, t_min, found), t_min, t_max, hits);
 }
 
-bool Cylinder::inside(const Vec3& p) const {
+bool Cylinder::within(const Vec3& p) const {
   if (is_degenerate()) return false;
   const Vec3 q = p - m_base;
   const double z = dot(q, m_axis);

@@ -19,22 +19,25 @@ class Cylinder final : public Shape {
   bool is_open() const { return m_open; }
 
   ShapeTraits traits() const override {
-    return {.name = "cylinder", .convexity = m_open ? Convexity::kOpen : Convexity::kConvex};
+    return {.name = "cylinder",
+            .convexity = m_open ? Convexity::kOpen : Convexity::kConvex,
+            .is_seen_afar = true};
   }
-  Bounds bounds() const override;
-  Bounds bounds_in(const Transform& t) const override;
+  Bounds box(const Transform* move) const override;
   Ball ball() const override;
-  void hull(std::vector<Vec3>& points) const override;
+  /// Appends points with the whole surface in their convex hull, but for rounding.
+  void hull(std::vector<Vec3>& points) const;
   bool nearest(const Ray& ray, double t_min, double t_max, ShapeHit& hit) const override;
   void all(const Ray& ray, double t_min, double t_max, ShapeHits& hits) const override;
   /// An open one is as solid as a closed one.
-  bool inside(const Vec3& p) const override;
+  bool holds(const Vec3& p, bool inverse) const override { return within(p) != inverse; }
   /// ShapeHit::element: 0 side, 1 base, 2 cap.
   Vec3 normal(const Vec3& p, const ShapeHit& hit) const override;
   /// Under similarities.
   std::unique_ptr<Shape> baked(const Transform& t) const override;
 
  private:
+  bool within(const Vec3& p) const;
   int crossings(const Ray& ray, double t_min, Crossing out[2]) const;
 
   Vec3 m_base, m_axis;  ///< axis unit, from base to cap

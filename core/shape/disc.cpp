@@ -10,10 +10,8 @@ Disc::Disc(const Vec3& centre, const Vec3& normal, double radius, double hole)
     : m_centre(centre), m_normal(normalized(normal)), m_radius(std::fabs(radius)),
       m_hole(std::fabs(hole)) {}
 
-Bounds Disc::bounds() const { return bounds_in(Transform()); }
-
-Bounds Disc::bounds_in(const Transform& t) const {
-  return padded(circle_bounds(m_centre, m_normal, m_radius, t));
+Bounds Disc::box(const Transform* move) const {
+  return padded(circle_bounds(m_centre, m_normal, m_radius, move ? *move : Transform()));
 }
 
 bool Disc::nearest(const Ray& ray, double t_min, double t_max, ShapeHit& hit) const {
@@ -32,7 +30,9 @@ void Disc::all(const Ray& ray, double t_min, double t_max, ShapeHits& hits) cons
   if (Disc::nearest(ray, t_min, t_max, hit)) hits.push_back(hit);
 }
 
-bool Disc::inside(const Vec3& p) const { return dot(m_normal, p - m_centre) < 0.0; }
+bool Disc::holds(const Vec3& p, bool inverse) const {
+  return (dot(m_normal, p - m_centre) < 0.0) != inverse;
+}
 Vec3 Disc::normal(const Vec3&, const ShapeHit&) const { return m_normal; }
 
 std::unique_ptr<Shape> Disc::baked(const Transform& t) const {

@@ -14,9 +14,9 @@ DoubleCone::DoubleCone(const Vec3& base, double base_radius, const Vec3& tip, co
                        double cap_radius, bool open)
     : m_lower(base, base_radius, tip, 0.0, open), m_upper(tip, 0.0, cap, cap_radius, open) {}
 
-Bounds DoubleCone::bounds_in(const Transform& t) const {
-  Bounds b = m_lower.bounds_in(t);
-  b.include(m_upper.bounds_in(t));
+Bounds DoubleCone::box(const Transform* move) const {
+  Bounds b = m_lower.box(move);
+  b.include(m_upper.box(move));
   return b;
 }
 

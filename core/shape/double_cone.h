@@ -13,13 +13,15 @@ class DoubleCone final : public Shape {
   DoubleCone(const Vec3& base, double base_radius, const Vec3& cap, double cap_radius,
              bool open = false);
 
-  ShapeTraits traits() const override { return {.name = "cone"}; }
-  Bounds bounds() const override { return bounds_in(Transform()); }
-  Bounds bounds_in(const Transform& t) const override;
-  void hull(std::vector<Vec3>& points) const override;
+  ShapeTraits traits() const override { return {.name = "cone", .is_seen_afar = true}; }
+  Bounds box(const Transform* move) const override;
+  /// Cone::hull() of both.
+  void hull(std::vector<Vec3>& points) const;
   bool nearest(const Ray& ray, double t_min, double t_max, ShapeHit& hit) const override;
   void all(const Ray& ray, double t_min, double t_max, ShapeHits& hits) const override;
-  bool inside(const Vec3& p) const override { return m_lower.inside(p) || m_upper.inside(p); }
+  bool holds(const Vec3& p, bool inverse) const override {
+    return (m_lower.inside(p) || m_upper.inside(p)) != inverse;
+  }
   /// ShapeHit::element: as of Cone, and kUpper more for the upper half.
   Vec3 normal(const Vec3& p, const ShapeHit& hit) const override;
 

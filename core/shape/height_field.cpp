@@ -219,7 +219,7 @@ HeightField::HeightField(std::shared_ptr<const HeightGrid> grid, double water_le
 }
 
 /// Where the box is turned: of the solid's floor and of the points above it.
-Bounds HeightField::bounds() const {
+Bounds HeightField::own_box() const {
   if (keeps_axes(m_to_space)) return padded(transformed(m_box, m_to_space));
   Bounds b;
   for (int z = 0; z < m_grid->depth(); ++z) {
@@ -279,18 +279,6 @@ template <class Visit>
 }
 
 /// Looks through all cells for those over which the ray passes between `first` and `last`.
-template <class Visit>
-void HeightField::for_cells_met(const Ray& ray, double first, double last, Visit&& visit) const {
-  for (int z = 0; z + 1 < m_grid->depth(); ++z) {
-    for (int x = 0; x + 1 < m_grid->width(); ++x) {
-      double from = first, to = last;
-      const Bounds column{{double(x), -Bounds::kInf, double(z)},
-                          {double(x + 1), Bounds::kInf, double(z + 1)}};
-      if (clip(column, ray, from, to)) visit(x, z);
-    }
-  }
-}
-
 template <class Visit, class GoOn>
 void HeightField::walk(const Ray& ray, double t_min, double t_max, Visit&& visit,
                        GoOn&& go_on) const {
@@ -303,12 +291,6 @@ void HeightField::walk(const Ray& ray, double t_min, double t_max, Visit&& visit
     if (t >= lo && t <= hi && t > t_min && t < t_max) visit(t, element);
   };
   const auto height_at = [&](double t) { return in_grid.origin.y + t * in_grid.direction.y; };
-  if (!m_steps) {
-    for_cells_met(in_grid, first, last, [&](int i, int j) {
-      cell(i, j, m_grid->corner(i, j), in_grid, height_at(first), height_at(last), within_box);
-    });
-    return;
-  }
   Stepper x(in_grid.origin.x, in_grid.direction.x, first, m_grid->width() - 1);
   Stepper z(in_grid.origin.z, in_grid.direction.z, first, m_grid->depth() - 1);
   const std::ptrdiff_t row = z.step * static_cast<std::ptrdiff_t>(m_grid->width());
@@ -395,7 +377,7 @@ void HeightField::all(const Ray& ray, double t_min, double t_max, ShapeHits& hit
       [&](double before) { return before < t_max; });
 }
 
-bool HeightField::inside(const Vec3& p) const {
+bool HeightField::within(const Vec3& p) const {
   const Vec3 at = m_to_space.inverse_point(p);
   if (!(at.x >= 0.0 && at.x < m_box.hi.x && at.z >= 0.0 && at.z < m_box.hi.z)) return false;
   if (at.y >= m_box.hi.y) return false;

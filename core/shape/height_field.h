@@ -65,23 +65,22 @@ class HeightField final : public Shape {
   ShapeTraits traits() const override {
     return {.name = "height_field", .solid_is_unbounded = true};
   }
-  Bounds bounds() const override;
+  Bounds box(const Transform* move) const override { return moved_box(own_box(), move); }
   bool nearest(const Ray& ray, double t_min, double t_max, ShapeHit& hit) const override;
   void all(const Ray& ray, double t_min, double t_max, ShapeHits& hits) const override;
   bool any(const Ray& ray, double t_min, double t_max) const override;
   /// Everything below the surface, beyond the box too.
-  bool inside(const Vec3& p) const override;
+  bool holds(const Vec3& p, bool inverse) const override { return within(p) != inverse; }
   Vec3 normal(const Vec3& p, const ShapeHit& hit) const override;
   std::unique_ptr<Shape> baked(const Transform& t) const override;
-  void drop_shortcuts() override { m_steps = false; }
 
  private:
+  bool within(const Vec3& p) const;
+  Bounds own_box() const;
   /// Calls visit(t, element) for the triangles met, cell by cell along the ray; element: 2 x cell,
   /// + 1 for the upper triangle. Stops where go_on, asked with t of the cell's start, returns false.
   template <class Visit, class GoOn>
   void walk(const Ray& ray, double t_min, double t_max, Visit&& visit, GoOn&& go_on) const;
-  template <class Visit>
-  void for_cells_met(const Ray& ray, double first, double last, Visit&& visit) const;
   template <class Visit>
   void cell(int x, int z, const std::uint16_t* corner, const Ray& ray, double y_from, double y_to,
             Visit&& visit) const;
@@ -90,7 +89,6 @@ class HeightField final : public Shape {
   std::shared_ptr<const HeightGrid> m_grid;
   Bounds m_box;          ///< grid space
   Transform m_to_space;  ///< from grid space
-  bool m_steps = true;   ///< from cell to cell; else all cells are looked through
 };
 
 }  // namespace lentray::core

@@ -150,13 +150,13 @@ struct Isosurface::Search {
 Isosurface::Isosurface(IsosurfaceSettings settings)
     : m_set(std::move(settings)), m_program(dynamic_cast<const Program*>(m_set.function.get())) {}
 
-Bounds Isosurface::bounds() const {
+Bounds Isosurface::own_box() const {
   if (!m_set.in_sphere) return {m_set.lo, m_set.hi};
   return {m_set.centre - Vec3(m_set.radius), m_set.centre + Vec3(m_set.radius)};
 }
 
-Bounds Isosurface::bounds_in(const Transform& t) const {
-  if (!m_set.in_sphere) return Shape::bounds_in(t);
+Bounds Isosurface::box_in(const Transform& t) const {
+  if (!m_set.in_sphere) return transformed(own_box(), t);
   return support_bounds(
       t, [&](const Vec3& d) { return dot(d, m_set.centre) + m_set.radius * length(d); });
 }
@@ -277,7 +277,7 @@ void Isosurface::all(const Ray& ray, double t_min, double t_max, ShapeHits& hits
   });
 }
 
-bool Isosurface::inside(const Vec3& p) const {
+bool Isosurface::within(const Vec3& p) const {
   if (m_set.in_sphere) {
     if (length_squared(p - m_set.centre) > m_set.radius * m_set.radius) return false;
   } else if (!Bounds{m_set.lo, m_set.hi}.contains(p)) {

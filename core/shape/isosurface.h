@@ -32,18 +32,20 @@ class Isosurface final : public Shape {
   explicit Isosurface(IsosurfaceSettings settings);
 
   ShapeTraits traits() const override { return {.name = "isosurface", .tells_all = false}; }
-  Bounds bounds() const override;
-  Bounds bounds_in(const Transform& t) const override;
+  Bounds box(const Transform* move) const override { return move ? box_in(*move) : own_box(); }
   bool nearest(const Ray& ray, double t_min, double t_max, ShapeHit& hit) const override;
   void all(const Ray& ray, double t_min, double t_max, ShapeHits& hits) const override;
   bool any(const Ray& ray, double t_min, double t_max) const override;
-  bool inside(const Vec3& p) const override;
+  bool holds(const Vec3& p, bool inverse) const override { return within(p) != inverse; }
   Vec3 normal(const Vec3& p, const ShapeHit& hit) const override;
 
   /// Before rendering: who is told how steep the function is along rays; null: nobody.
   void set_watch(std::shared_ptr<SlopeWatch> watch) { m_watch = std::move(watch); }
 
  private:
+  bool within(const Vec3& p) const;
+  Bounds own_box() const;
+  Bounds box_in(const Transform& t) const;
   class Field;
   struct Search;
   double value(const Vec3& p) const;

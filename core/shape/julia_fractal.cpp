@@ -34,21 +34,16 @@ class JuliaFractal final : public Shape {
 
   /// Where y stands for z the solid has no end along z.
   ShapeTraits traits() const override {
-    return {.name = "julia_fractal",
-            .solid_is_unbounded = Map::kRemembers,
-            .tells_all = false,
-            .tells_first_alone = true};
+    return {.name = "julia_fractal", .solid_is_unbounded = Map::kRemembers, .tells_all = false};
   }
-  Bounds bounds() const override { return m_box; }
-  Bounds bounds_in(const Transform& t) const override { return box_in(t); }
+  Bounds box(const Transform* move) const override { return move ? box_in(*move) : m_box; }
   bool nearest(const Ray& ray, double t_min, double t_max, ShapeHit& hit) const override;
   void all(const Ray& ray, double t_min, double t_max, ShapeHits& hits) const override;
   bool any(const Ray& ray, double t_min, double t_max) const override;
-  bool inside(const Vec3& p) const override { return m_map.holds(p); }
+  bool holds(const Vec3& p, bool inverse) const override { return m_map.holds(p) != inverse; }
   Vec3 normal(const Vec3& p, const ShapeHit& hit) const override {
     return m_map.normal(p, {hit.u, hit.v});
   }
-  void drop_shortcuts() override { m_foresees = false; }
 
  private:
   using Memory = typename Map::Memory;
@@ -65,7 +60,6 @@ class JuliaFractal final : public Shape {
 
   Map m_map;
   Bounds m_box;
-  bool m_foresees = true;  ///< asks how far a ray stays within
 };
 
 /// Cells that the set has no part in are ruled out by their orbits. Where those say nothing it is
@@ -170,7 +164,7 @@ void JuliaFractal<Map>::crossings(const Ray& ray, Visit&& visit, Anywhere&& anyw
     const Vec3 next = p + direction * step;
     double next_step = least;
     if constexpr (Map::kForesees) {
-      if (is_of_p && m_foresees) sure = m_map.room(memory, least) / least;
+      if (is_of_p) sure = m_map.room(memory, least) / least;
       is_of_p = false;
     }
     if (Map::kForesees && sure >= kSureStep) {

@@ -55,10 +55,10 @@ Lathe::Lathe(std::vector<CurvePiece> pieces, double hole)
     const double widest = std::max(std::fabs(alone.lo().u), std::fabs(alone.hi().u));
     m_pieces.push_back({curve, alone.lo().v, alone.hi().v, widest});
   }
-  m_reach = widened(Lathe::bounds());
+  m_reach = widened(own_box());
 }
 
-Bounds Lathe::bounds() const {
+Bounds Lathe::own_box() const {
   Bounds box;
   for (const Piece& p : m_pieces) {
     box.include(Vec3{-p.widest, p.low, -p.widest});
@@ -67,8 +67,8 @@ Bounds Lathe::bounds() const {
   return padded(box);
 }
 
-Bounds Lathe::bounds_in(const Transform& t) const {
-  if (keeps_axes(t)) return Shape::bounds_in(t);
+Bounds Lathe::box_in(const Transform& t) const {
+  if (keeps_axes(t)) return transformed(own_box(), t);
   return support_bounds(t, [&](const Vec3& d) {
     const double across = std::sqrt(d.x * d.x + d.z * d.z);
     double far = -Bounds::kInf;
@@ -77,11 +77,6 @@ Bounds Lathe::bounds_in(const Transform& t) const {
     }
     return far;
   });
-}
-
-void Lathe::drop_shortcuts() {
-  m_reach = Bounds::everything();
-  for (Piece& p : m_pieces) p = {p.curve, -Bounds::kInf, Bounds::kInf, Bounds::kInf};
 }
 
 template <class Visit>
@@ -139,7 +134,7 @@ void Lathe::all(const Ray& ray, double t_min, double t_max, ShapeHits& hits) con
   append_all(each, t_min, t_max, hits);
 }
 
-bool Lathe::inside(const Vec3& p) const {
+bool Lathe::within(const Vec3& p) const {
   const double r2 = p.x * p.x + p.z * p.z;
   if (r2 < m_hole2) return false;
   const double r = std::sqrt(r2);

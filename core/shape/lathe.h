@@ -17,18 +17,20 @@ class Lathe final : public Shape {
   explicit Lathe(std::vector<CurvePiece> pieces, double hole = 0.0);
 
   ShapeTraits traits() const override { return {.name = "lathe", .has_uv = true}; }
-  Bounds bounds() const override;
-  Bounds bounds_in(const Transform& t) const override;
+  Bounds box(const Transform* move) const override { return move ? box_in(*move) : own_box(); }
   bool nearest(const Ray& ray, double t_min, double t_max, ShapeHit& hit) const override;
   void all(const Ray& ray, double t_min, double t_max, ShapeHits& hits) const override;
   /// Between the curve and the axis or the hole, counted by crossings outwards.
-  bool inside(const Vec3& p) const override;
+  bool holds(const Vec3& p, bool inverse) const override { return within(p) != inverse; }
   Vec3 normal(const Vec3& p, const ShapeHit& hit) const override;
   /// Around, and along the pieces, each the same share.
   Vec2 uv(const Vec3& p, const ShapeHit& hit) const override;
-  void drop_shortcuts() override;
 
  private:
+  friend struct PlainShapes;  // tests/unit/plain_shapes.h
+  bool within(const Vec3& p) const;
+  Bounds own_box() const;
+  Bounds box_in(const Transform& t) const;
   struct Piece {
     CurvePiece curve;
     double low, high, widest;  ///< heights, greatest distance from the axis

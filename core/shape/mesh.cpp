@@ -41,7 +41,7 @@ int Mesh::textures_at(const ShapeHit& hit, MeshTexture out[3]) const {
   return 3;
 }
 
-Bounds Mesh::bounds_in(const Transform& t) const {
+Bounds Mesh::box_in(const Transform& t) const {
   Bounds b;
   const MeshData& data = m_triangles->data();
   for (const MeshTriple& f : data.faces) {
@@ -81,12 +81,10 @@ bool Mesh::any(const Ray& ray, double t_min, double t_max) const {
   return m_triangles->any(ray, t_min, t_max);
 }
 
-bool Mesh::inside(const Vec3& p) const {
-  return m_inside_vector && (m_triangles->data().is_open || bounds().contains(p)) &&
+bool Mesh::within(const Vec3& p) const {
+  return (m_triangles->data().is_open || bounds().contains(p)) &&
          m_triangles->odd_crossings({p, *m_inside_vector}, kSelf);
 }
-
-bool Mesh::outside(const Vec3& p) const { return m_inside_vector && !inside(p); }
 
 Vec3 Mesh::normal(const Vec3&, const ShapeHit& hit) const {
   const MeshData& data = m_triangles->data();
@@ -125,12 +123,6 @@ std::unique_ptr<Shape> Mesh::baked(const Transform& t) const {
       dot(cross(t.vector({1, 0, 0}), t.vector({0, 1, 0})), t.vector({0, 0, 1})) < 0.0;
   moved->m_mirrored = m_mirrored != mirror;
   return moved;
-}
-
-void Mesh::drop_shortcuts() {
-  auto triangles = std::make_shared<TriangleMesh>(*m_triangles);
-  triangles->open_boxes();
-  m_triangles = std::move(triangles);
 }
 
 }  // namespace lentray::core

@@ -39,22 +39,25 @@ class Mesh final : public Shape {
   const TriangleMesh& triangles() const { return *m_triangles; }
 
   ShapeTraits traits() const override;
-  Bounds bounds() const override { return m_triangles->bounds(); }
-  Bounds bounds_in(const Transform& t) const override;
+  Bounds box(const Transform* move) const override {
+    return move ? box_in(*move) : m_triangles->bounds();
+  }
   Ball ball() const override;
   /// ShapeHit::element is the face, u and v the weights of its corners b and c.
   bool nearest(const Ray& ray, double t_min, double t_max, ShapeHit& hit) const override;
   void all(const Ray& ray, double t_min, double t_max, ShapeHits& hits) const override;
   bool any(const Ray& ray, double t_min, double t_max) const override;
-  bool inside(const Vec3& p) const override;
-  bool outside(const Vec3& p) const override;
+  bool holds(const Vec3& p, bool inverse) const override {
+    return m_inside_vector && within(p) != inverse;
+  }
   Vec3 normal(const Vec3& p, const ShapeHit& hit) const override;
   Vec2 uv(const Vec3& p, const ShapeHit& hit) const override;
   /// Small ones whose triangles are not shared; else the object keeps the transform.
   std::unique_ptr<Shape> baked(const Transform& t) const override;
-  void drop_shortcuts() override;
 
  private:
+  bool within(const Vec3& p) const;
+  Bounds box_in(const Transform& t) const;
   std::shared_ptr<const TriangleMesh> m_triangles;
   std::optional<Vec3> m_inside_vector;  ///< unit
   std::vector<const Texture*> m_textures;

@@ -305,13 +305,6 @@ bool Outline::is_convex() const {
   return side != 0.0 && turns_u <= 2 && turns_v <= 2;
 }
 
-void Outline::drop_boxes() {
-  m_lo = {-kInf, -kInf};
-  m_hi = {kInf, kInf};
-  m_boxes.assign(m_boxes.size(), {m_lo, m_hi});
-  fill_squares();
-}
-
 /// From the next place in the row that is known.
 bool Outline::contains_counted(double u, double v) const {
   const auto row = static_cast<std::size_t>(row_of(v));

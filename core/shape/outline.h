@@ -60,12 +60,11 @@ class Outline {
   /// Whether it is one convex polygon.
   bool is_convex() const;
   const std::vector<CurvePiece>& pieces() const { return m_pieces; }
-  /// As Shape::drop_shortcuts(); lo() and hi() become infinite.
-  void drop_boxes();
   const Vec2& lo() const { return m_lo; }
   const Vec2& hi() const { return m_hi; }
 
  private:
+  friend struct PlainShapes;  // tests/unit/plain_shapes.h
   static PlaneBox box_of(const CurvePiece& piece);
   void fill_squares();
   void fill_row(int row);

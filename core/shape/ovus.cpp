@@ -27,13 +27,13 @@ Ovus::Ovus(double bottom, double top)
   m_high = bottom + (bottom - m_height) * top / to_top;
 }
 
-Bounds Ovus::bounds() const {
+Bounds Ovus::own_box() const {
   const double widest = std::max({m_bottom, m_top, m_waist - m_spindle});
   return padded({{-widest, -m_bottom, -widest}, {widest, m_bottom + m_top, widest}});
 }
 
 /// A convex body: its surface faces d on the sphere or tube whose share of the directions has d.
-Bounds Ovus::bounds_in(const Transform& t) const {
+Bounds Ovus::box_in(const Transform& t) const {
   return support_bounds(t, [&](const Vec3& d) {
     const double size = length(d), across = std::sqrt(d.x * d.x + d.z * d.z);
     if (d.y <= size * m_low / m_bottom) return m_bottom * size;
@@ -125,7 +125,7 @@ void Ovus::all(const Ray& ray, double t_min, double t_max, ShapeHits& hits) cons
   append_all(each, t_min, t_max, hits);
 }
 
-bool Ovus::inside(const Vec3& p) const {
+bool Ovus::within(const Vec3& p) const {
   const double across2 = p.x * p.x + p.z * p.z;
   if (p.y < m_low) return across2 + p.y * p.y <= m_bottom * m_bottom;
   if (p.y > m_high) return across2 + (p.y - m_bottom) * (p.y - m_bottom) <= m_top * m_top;

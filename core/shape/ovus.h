@@ -15,17 +15,19 @@ class Ovus final : public Shape {
   ShapeTraits traits() const override {
     return {.name = "ovus", .convexity = Convexity::kOpen, .has_uv = true};
   }
-  Bounds bounds() const override;
-  Bounds bounds_in(const Transform& t) const override;
+  Bounds box(const Transform* move) const override { return move ? box_in(*move) : own_box(); }
   bool nearest(const Ray& ray, double t_min, double t_max, ShapeHit& hit) const override;
   void all(const Ray& ray, double t_min, double t_max, ShapeHits& hits) const override;
-  bool inside(const Vec3& p) const override;
+  bool holds(const Vec3& p, bool inverse) const override { return within(p) != inverse; }
   Vec3 normal(const Vec3& p, const ShapeHit& hit) const override;
   /// Where spheres and torus join a root may be lost.
   /// As on a sphere about the point half a top radius up.
   Vec2 uv(const Vec3& p, const ShapeHit& hit) const override;
 
  private:
+  bool within(const Vec3& p) const;
+  Bounds own_box() const;
+  Bounds box_in(const Transform& t) const;
   bool may_meet_waist(const Vec3& q, const Vec3& d, double from) const;
   template <class Visit>
   void crossings(const Ray& ray, double t_min, double t_max, Visit&& visit) const;

@@ -18,7 +18,7 @@ constexpr double kSlow =
     0.05;  ///< sine of the angle to a plane, below which a ray creeps away from it
 
 /// Written so that what is not a number is outside.
-bool holds(double lo, double hi, double inner_lo, double inner_hi) {
+bool encloses(double lo, double hi, double inner_lo, double inner_hi) {
   return lo <= inner_lo && hi >= inner_hi;
 }
 
@@ -152,7 +152,7 @@ Parametric::Bound Parametric::keep(std::size_t number, int level, const Piece& p
   for (std::size_t axis = 0; axis < 3; ++axis) {
     const Range &own = bound.own[axis], &parts = bound.tight[axis];
     kept.narrowest = std::min(kept.narrowest, own.hi - own.lo);
-    if (!holds(own.lo, own.hi, parts.lo, parts.hi)) kept.own_cuts = m_too_flat = true;
+    if (!encloses(own.lo, own.hi, parts.lo, parts.hi)) kept.own_cuts = m_too_flat = true;
   }
   return bound;
 }

@@ -33,17 +33,11 @@ class Parametric final : public Shape {
   explicit Parametric(ParametricSettings settings);
 
   ShapeTraits traits() const override {
-    return {.name = "parametric",
-            .is_solid = false,
-            .has_uv = true,
-            .tells_all = false,
-            .inverse_turns_normal = false};
+    return {.name = "parametric", .is_solid = false, .has_uv = true, .tells_all = false};
   }
-  Bounds bounds() const override { return m_bounds; }
+  Bounds box(const Transform* move) const override { return moved_box(m_bounds, move); }
   bool nearest(const Ray& ray, double t_min, double t_max, ShapeHit& hit) const override;
   void all(const Ray& ray, double t_min, double t_max, ShapeHits& hits) const override;
-  bool inside(const Vec3&) const override { return false; }
-  bool outside(const Vec3&) const override { return false; }
   Vec3 normal(const Vec3& p, const ShapeHit& hit) const override;
   Vec2 uv(const Vec3&, const ShapeHit& hit) const override { return {hit.u, hit.v}; }
 

@@ -8,7 +8,7 @@ constexpr double kOnSurface = 1e-10;  // stock's tolerance
 Plane::Plane(const Vec3& normal, double distance)
     : m_normal(normalized(normal)), m_distance(distance) {}
 
-Bounds Plane::bounds() const {
+Bounds Plane::own_box() const {
   Bounds b = Bounds::everything();
   for (int i = 0; i < 3; ++i) {
     if (m_normal[i] == 1.0) b.hi[i] = m_distance + kOnSurface + 1e-15 * std::fabs(m_distance);
@@ -29,8 +29,10 @@ void Plane::all(const Ray& ray, double t_min, double t_max, ShapeHits& hits) con
   if (Plane::nearest(ray, t_min, t_max, hit)) hits.push_back(hit);
 }
 
-bool Plane::inside(const Vec3& p) const { return dot(m_normal, p) - m_distance < kOnSurface; }
-bool Plane::outside(const Vec3& p) const { return m_distance - dot(m_normal, p) < kOnSurface; }
+bool Plane::holds(const Vec3& p, bool inverse) const {
+  const double above = dot(m_normal, p) - m_distance;
+  return (inverse ? -above : above) < kOnSurface;
+}
 Vec3 Plane::normal(const Vec3&, const ShapeHit&) const { return m_normal; }
 
 std::unique_ptr<Shape> Plane::baked(const Transform& t) const {

@@ -22,16 +22,16 @@ class Plane final : public Shape {
 
   ShapeTraits traits() const override { return {.name = "plane"}; }
   /// A half-space where the normal is along an axis, else infinite.
-  Bounds bounds() const override;
+  Bounds box(const Transform* move) const override { return moved_box(own_box(), move); }
   bool nearest(const Ray& ray, double t_min, double t_max, ShapeHit& hit) const override;
   void all(const Ray& ray, double t_min, double t_max, ShapeHits& hits) const override;
   /// On the surface: both inside and outside, within 1e-10.
-  bool inside(const Vec3& p) const override;
-  bool outside(const Vec3& p) const override;
+  bool holds(const Vec3& p, bool inverse) const override;
   Vec3 normal(const Vec3& p, const ShapeHit& hit) const override;
   std::unique_ptr<Shape> baked(const Transform& t) const override;
 
  private:
+  Bounds own_box() const;
   Vec3 m_normal;
   double m_distance;
 };

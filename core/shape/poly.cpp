@@ -182,7 +182,7 @@ void Poly::all(const Ray& ray, double t_min, double t_max, ShapeHits& hits) cons
   }
 }
 
-bool Poly::inside(const Vec3& p) const {
+bool Poly::within(const Vec3& p) const {
   constexpr double kInside = 1e-4;
   return value(p) < kInside;
 }

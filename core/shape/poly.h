@@ -17,14 +17,16 @@ class Poly final : public Shape {
   Poly(std::string_view name, int order, const std::vector<double>& coefficients);
 
   ShapeTraits traits() const override { return {.name = m_name, .finds_all_at_once = true}; }
-  Bounds bounds() const override { return Bounds::everything(); }
+  Bounds box(const Transform* move) const override { return moved_box(Bounds::everything(), move); }
   bool nearest(const Ray& ray, double t_min, double t_max, ShapeHit& hit) const override;
   void all(const Ray& ray, double t_min, double t_max, ShapeHits& hits) const override;
-  bool inside(const Vec3& p) const override;
+  bool holds(const Vec3& p, bool inverse) const override { return within(p) != inverse; }
   Vec3 normal(const Vec3& p, const ShapeHit& hit) const override;
-  void keep_within(const Ball& ball) override { m_kept = ball; }
+  /// Before the shape is asked: crossings beyond the ball are not wanted, and may be left out.
+  void keep_within(const Ball& ball) { m_kept = ball; }
 
  private:
+  bool within(const Vec3& p) const;
   struct Term {
     double c;
     int i, j, k;  ///< powers of x, y, z

@@ -131,7 +131,7 @@ std::vector<EvenOdd::Edge> Polygon::edges() const {
   return result;
 }
 
-Bounds Polygon::bounds() const {
+Bounds Polygon::own_box() const {
   Bounds b;
   if (m_degenerate) return b;
   for (const Vec3& p : m_points) b.include(p);

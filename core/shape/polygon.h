@@ -47,20 +47,16 @@ class Polygon final : public Shape {
   bool is_degenerate() const { return m_degenerate; }
 
   ShapeTraits traits() const override {
-    return {.name = "polygon",
-            .convexity = Convexity::kFlat,
-            .is_solid = false,
-            .inverse_turns_normal = false};
+    return {.name = "polygon", .convexity = Convexity::kFlat, .is_solid = false};
   }
-  Bounds bounds() const override;
+  Bounds box(const Transform* move) const override { return moved_box(own_box(), move); }
   bool nearest(const Ray& ray, double t_min, double t_max, ShapeHit& hit) const override;
   void all(const Ray& ray, double t_min, double t_max, ShapeHits& hits) const override;
-  bool inside(const Vec3&) const override { return false; }
-  bool outside(const Vec3&) const override { return false; }
   Vec3 normal(const Vec3& p, const ShapeHit& hit) const override;
   std::unique_ptr<Shape> baked(const Transform& t) const override;
 
  private:
+  Bounds own_box() const;
   static constexpr std::uint32_t kFew = 4;  ///< edges that are simply looked through
 
   std::vector<EvenOdd::Edge> edges() const;

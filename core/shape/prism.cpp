@@ -20,9 +20,9 @@ Prism::Prism(std::string_view name, std::shared_ptr<const Outline> outline, Swee
     : m_name(name), m_outline(std::move(outline)), m_sweep(sweep), m_from(std::min(from, to)),
       m_to(std::max(from, to)), m_farther(std::fabs(from) + std::fabs(to)), m_open(open),
       m_convex(!open && sweep != Sweep::kConic && m_outline->is_convex()),
-      m_reach(widened(Prism::bounds())) {}
+      m_reach(widened(own_box())) {}
 
-Bounds Prism::bounds() const {
+Bounds Prism::own_box() const {
   if (m_outline->pieces().empty()) return {};
   const Vec2 lo = m_outline->lo(), hi = m_outline->hi();
   Bounds box;
@@ -34,8 +34,8 @@ Bounds Prism::bounds() const {
   return padded(box);
 }
 
-Bounds Prism::bounds_in(const Transform& t) const {
-  if (keeps_axes(t) || m_outline->pieces().empty()) return Shape::bounds_in(t);
+Bounds Prism::box_in(const Transform& t) const {
+  if (keeps_axes(t) || m_outline->pieces().empty()) return transformed(own_box(), t);
   return support_bounds(t, [&](const Vec3& direction) {
     const Vec3 d = swept(direction);
     const auto outline = [&](double u, double v) { return m_outline->farthest({u, v}); };
@@ -43,13 +43,6 @@ Bounds Prism::bounds_in(const Transform& t) const {
     return std::max(outline(d.x * m_from, d.y * m_from) + d.z * m_from,
                     outline(d.x * m_to, d.y * m_to) + d.z * m_to);
   });
-}
-
-void Prism::drop_shortcuts() {
-  auto outline = std::make_shared<Outline>(*m_outline);
-  outline->drop_boxes();
-  m_outline = std::move(outline);
-  m_reach = Bounds::everything();
 }
 
 /// False at the tip.
@@ -218,7 +211,7 @@ void Prism::all(const Ray& ray, double t_min, double t_max, ShapeHits& hits) con
   walls<false>(origin, direction, passage, add);
 }
 
-bool Prism::inside(const Vec3& p) const {
+bool Prism::within(const Vec3& p) const {
   const Vec3 at = swept(p);
   return at.z >= m_from && at.z <= m_to && contains(at.x, at.y, at.z);
 }

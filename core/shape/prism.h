@@ -24,16 +24,18 @@ class Prism final : public Shape {
   /// Its normals may point inwards, so that a convex solid is not of Convexity::kConvex.
   ShapeTraits traits() const override { return {.name = m_name}; }
   bool is_convex_solid() const { return m_convex; }
-  Bounds bounds() const override;
-  Bounds bounds_in(const Transform& t) const override;
+  Bounds box(const Transform* move) const override { return move ? box_in(*move) : own_box(); }
   bool nearest(const Ray& ray, double t_min, double t_max, ShapeHit& hit) const override;
   void all(const Ray& ray, double t_min, double t_max, ShapeHits& hits) const override;
   bool any(const Ray& ray, double t_min, double t_max) const override;
-  bool inside(const Vec3& p) const override;
+  bool holds(const Vec3& p, bool inverse) const override { return within(p) != inverse; }
   Vec3 normal(const Vec3& p, const ShapeHit& hit) const override;
-  void drop_shortcuts() override;
 
  private:
+  friend struct PlainShapes;  // tests/unit/plain_shapes.h
+  bool within(const Vec3& p) const;
+  Bounds own_box() const;
+  Bounds box_in(const Transform& t) const;
   /// Components along u, v and the sweep.
   Vec3 swept(const Vec3& p) const { return m_sweep == Sweep::kAlongZ ? p : Vec3{p.x, p.z, p.y}; }
   /// Of a place at that height, on the outline.

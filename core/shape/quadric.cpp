@@ -19,8 +19,10 @@ double Quadric::value(const Vec3& p) const {
          p.z * (m_sq.z * p.z + m_mix.y * p.x + m_lin.z) + m_const;
 }
 
-bool Quadric::inside(const Vec3& p) const { return value(p - m_origin) <= 0.0; }
-bool Quadric::outside(const Vec3& p) const { return value(p - m_origin) >= 0.0; }
+bool Quadric::holds(const Vec3& p, bool inverse) const {
+  const double at = value(p - m_origin);
+  return inverse ? at >= 0.0 : at <= 0.0;
+}
 
 Vec3 Quadric::normal(const Vec3& p, const ShapeHit&) const { return gradient(p - m_origin); }
 

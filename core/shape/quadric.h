@@ -17,15 +17,13 @@ class Quadric final : public Shape {
 
   /// The inverse has the sign of the polynomial turned, and the normal once more.
   ShapeTraits traits() const override {
-    return {
-        .name = "quadric", .solid_is_unbounded = m_solid_unbounded, .inverse_turns_normal = false};
+    return {.name = "quadric", .solid_is_unbounded = m_solid_unbounded};
   }
   /// Tight for ellipsoids; for others as far as they are bounded along the axes.
-  Bounds bounds() const override { return m_bounds; }
+  Bounds box(const Transform* move) const override { return moved_box(m_bounds, move); }
   bool nearest(const Ray& ray, double t_min, double t_max, ShapeHit& hit) const override;
   void all(const Ray& ray, double t_min, double t_max, ShapeHits& hits) const override;
-  bool inside(const Vec3& p) const override;
-  bool outside(const Vec3& p) const override;
+  bool holds(const Vec3& p, bool inverse) const override;
   Vec3 normal(const Vec3& p, const ShapeHit& hit) const override;
   std::unique_ptr<Shape> baked(const Transform& t) const override;
 

@@ -41,10 +41,8 @@ struct ShapeTraits {
       false;            ///< bounds() holds the surface alone, and inside() may be true beyond it
   bool has_uv = false;  ///< texture coordinates of its own
   bool finds_all_at_once = false;  ///< all() costs no more than nearest(), which works all out too
+  bool is_seen_afar = false;       ///< beyond kFarthest (core/base/ray.h), too
   bool tells_all = true;           ///< false: all() may miss what a new ray from a crossing meets
-  bool tells_first_alone = false;  ///< true: a shadow ray counts only the first crossing
-  bool inverse_turns_normal =
-      true;  ///< that of the inverse points the other way: this decides what is behind
 };
 
 class Shape {
@@ -54,15 +52,13 @@ class Shape {
   virtual ShapeTraits traits() const = 0;
   std::string_view name() const { return traits().name; }
   /// Everything of the surface; of the solid too unless the traits say otherwise. May be infinite.
-  virtual Bounds bounds() const = 0;
-  /// The same after a transform; shapes override it where the box of the box is not tight.
-  virtual Bounds bounds_in(const Transform& t) const { return transformed(bounds(), t); }
-
+  Bounds bounds() const { return box(nullptr); }
+  /// The same after a transform.
+  Bounds bounds_in(const Transform& t) const { return box(&t); }
+  /// Both of them; null: as it stands.
+  virtual Bounds box(const Transform* move) const = 0;
   /// Holds what bounds() holds; shapes override it where the ball of the box is not tight.
   virtual Ball ball() const { return Ball::around(bounds()); }
-  /// Appends points with the whole surface in their convex hull, but for rounding; none where it is
-  /// infinite. Shapes override it where the corners of the box are far outside.
-  virtual void hull(std::vector<Vec3>& points) const { add_corners(bounds(), points); }
 
   /// Nearest crossing.
   virtual bool nearest(const Ray& ray, double t_min, double t_max, ShapeHit& hit) const = 0;
@@ -74,11 +70,14 @@ class Shape {
     return nearest(ray, t_min, t_max, hit);
   }
 
-  /// As `inside` in SDL, before any `inverse`. Shapes without a solid answer false.
-  virtual bool inside(const Vec3& p) const = 0;
-  /// As `inside` of the inverse. Not always the opposite: a point on a surface may be in both or
-  /// neither, and shapes without a solid answer false again.
-  virtual bool outside(const Vec3& p) const { return !inside(p); }
+  /// As `inside` in SDL of the shape, or of its `inverse`. A point on a surface may be in both or neither;
+  /// shapes without a solid hold nothing.
+  virtual bool holds(const Vec3& p, bool inverse) const {
+    (void)p;
+    (void)inverse;
+    return false;
+  }
+  bool inside(const Vec3& p) const { return holds(p, false); }
   /// Shading normal, not necessarily unit; outwards for solids.
   virtual Vec3 normal(const Vec3& p, const ShapeHit& hit) const = 0;
   /// Texture coordinates for uv_mapping. Kinds without any of their own take x and y of the world point.
@@ -93,12 +92,11 @@ class Shape {
     (void)t;
     return nullptr;
   }
-  /// Before the shape is asked: crossings beyond the ball are not wanted, and may be left out. For
-  /// shapes that search the whole ray otherwise.
-  virtual void keep_within(const Ball& ball) { (void)ball; }
-  /// For tests, before the shape is shared or asked: infinite boxes and plain lists instead of those
-  /// that only spare work. Answers keep their bits; bounds() may become infinite.
-  virtual void drop_shortcuts() {}
 };
+
+/// A box that is moved as a box; null: not at all.
+inline Bounds moved_box(const Bounds& b, const Transform* move) {
+  return move ? transformed(b, *move) : b;
+}
 
 }  // namespace lentray::core

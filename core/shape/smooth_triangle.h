@@ -16,9 +16,7 @@ class SmoothTriangle final : public TriangleShape {
 
   const std::array<Vec3, 3>& normals() const { return m_normals; }
 
-  ShapeTraits traits() const override {
-    return {.name = "smooth_triangle", .is_solid = false, .inverse_turns_normal = false};
-  }
+  ShapeTraits traits() const override { return {.name = "smooth_triangle", .is_solid = false}; }
   Vec3 normal(const Vec3& p, const ShapeHit& hit) const override;
   std::unique_ptr<Shape> baked(const Transform& t) const override;
 

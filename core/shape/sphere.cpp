@@ -9,11 +9,11 @@ namespace lentray::core {
 Sphere::Sphere(const Vec3& centre, double radius)
     : m_centre(centre), m_radius(std::fabs(radius)), m_radius2(radius * radius) {}
 
-Bounds Sphere::bounds() const {
+Bounds Sphere::own_box() const {
   return padded({m_centre - Vec3(m_radius), m_centre + Vec3(m_radius)});
 }
 
-Bounds Sphere::bounds_in(const Transform& t) const {
+Bounds Sphere::box_in(const Transform& t) const {
   const Vec3 c = t.point(m_centre);
   const Vec3 e = ellipsoid_extent(t.vector({m_radius, 0, 0}), t.vector({0, m_radius, 0}),
                                   t.vector({0, 0, m_radius}));
@@ -43,8 +43,10 @@ void Sphere::all(const Ray& ray, double t_min, double t_max, ShapeHits& hits) co
   if (t1 > t_min && t1 < t_max && t1 != t0) hits.push_back({t1, 0, 0.0, 0.0});
 }
 
-bool Sphere::inside(const Vec3& p) const { return length_squared(p - m_centre) < m_radius2; }
-bool Sphere::outside(const Vec3& p) const { return length_squared(p - m_centre) > m_radius2; }
+bool Sphere::holds(const Vec3& p, bool inverse) const {
+  const double far2 = length_squared(p - m_centre);
+  return inverse ? far2 > m_radius2 : far2 < m_radius2;
+}
 Vec3 Sphere::normal(const Vec3& p, const ShapeHit&) const { return p - m_centre; }
 
 Vec2 Sphere::uv(const Vec3& p, const ShapeHit&) const {

@@ -37,20 +37,20 @@ class Sphere final : public Shape {
   ShapeTraits traits() const override {
     return {.name = "sphere", .convexity = Convexity::kConvex, .has_uv = true};
   }
-  Bounds bounds() const override;
-  Bounds bounds_in(const Transform& t) const override;
+  Bounds box(const Transform* move) const override { return move ? box_in(*move) : own_box(); }
   Ball ball() const override { return {m_centre, m_radius}; }
   bool nearest(const Ray& ray, double t_min, double t_max, ShapeHit& hit) const override;
   void all(const Ray& ray, double t_min, double t_max, ShapeHits& hits) const override;
   bool any(const Ray& ray, double t_min, double t_max) const override;
-  bool inside(const Vec3& p) const override;
-  bool outside(const Vec3& p) const override;
+  bool holds(const Vec3& p, bool inverse) const override;
   Vec3 normal(const Vec3& p, const ShapeHit& hit) const override;
   Vec2 uv(const Vec3& p, const ShapeHit& hit) const override;
   /// Under similarities.
   std::unique_ptr<Shape> baked(const Transform& t) const override;
 
  private:
+  Bounds own_box() const;
+  Bounds box_in(const Transform& t) const;
   Vec3 m_centre;
   double m_radius, m_radius2;
   std::unique_ptr<const Transform> m_turn;  ///< object to here, for uv; null: only moved, scaled

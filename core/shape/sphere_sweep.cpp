@@ -146,15 +146,13 @@ SphereSweep::SphereSweep(std::vector<SweepPiece> pieces, double tolerance)
   }
 }
 
-Bounds SphereSweep::bounds_in(const Transform& t) const {
+Bounds SphereSweep::box_in(const Transform& t) const {
   Bounds all;
   for (const SweepPiece& piece : m_pieces) all.include(box_of(piece, t));
   return all;
 }
 
 /// The parts tell where roots are looked for, and so what their last bits are: they stay.
-void SphereSweep::drop_shortcuts() { m_boxes.assign(m_boxes.size(), Bounds::everything()); }
-
 void SphereSweep::sphere_crossings(std::uint32_t index, double u, const Line& line,
                                    ShapeHits& out) const {
   const Vec3 from = line.point - m_pieces[index].centre_at(u);
@@ -269,8 +267,6 @@ bool SphereSweep::within(const Vec3& p, double margin) const {
   }
   return false;
 }
-
-bool SphereSweep::inside(const Vec3& p) const { return within(p, 0.0); }
 
 template <class Visit>
 void SphereSweep::on_surface(const Ray& ray, double t_min, double t_max, Visit&& visit) const {

@@ -38,15 +38,15 @@ class SphereSweep final : public Shape {
   ShapeTraits traits() const override {
     return {.name = "sphere_sweep", .tells_all = m_tolerance <= kFine};
   }
-  Bounds bounds() const override { return m_bounds; }
-  Bounds bounds_in(const Transform& t) const override;
+  Bounds box(const Transform* move) const override { return move ? box_in(*move) : m_bounds; }
   bool nearest(const Ray& ray, double t_min, double t_max, ShapeHit& hit) const override;
   void all(const Ray& ray, double t_min, double t_max, ShapeHits& hits) const override;
-  bool inside(const Vec3& p) const override;
+  bool holds(const Vec3& p, bool inverse) const override { return within(p, 0.0) != inverse; }
   Vec3 normal(const Vec3& p, const ShapeHit& hit) const override;
-  void drop_shortcuts() override;
 
  private:
+  friend struct PlainShapes;  // tests/unit/plain_shapes.h
+  Bounds box_in(const Transform& t) const;
   struct Line;
   void crossings(const Ray& ray, double t_min, double t_max, ShapeHits& out) const;
   /// Of a piece of order kOrder, between two parameters; of a straight one with its end spheres.

@@ -100,8 +100,8 @@ double Superellipsoid::value(const Vec3& p) const {
 }
 
 /// The dual norm; a concave one reaches as far as the octahedron of its corners.
-Bounds Superellipsoid::bounds_in(const Transform& t) const {
-  if (keeps_axes(t)) return Shape::bounds_in(t);
+Bounds Superellipsoid::box_in(const Transform& t) const {
+  if (keeps_axes(t)) return transformed(bounds(), t);
   return support_bounds(t, [&](const Vec3& d) {
     return dual_norm(dual_norm(std::fabs(d.x), std::fabs(d.y), m_round_xy), std::fabs(d.z),
                      m_round_z);
@@ -266,7 +266,7 @@ void Superellipsoid::all(const Ray& ray, double t_min, double t_max, ShapeHits& 
   append_ordered(each, t_min, t_max, hits);
 }
 
-bool Superellipsoid::inside(const Vec3& p) const {
+bool Superellipsoid::within(const Vec3& p) const {
   constexpr double kSlack = 1e-10;
   return value(p) < kSlack;
 }

@@ -17,15 +17,18 @@ class Superellipsoid final : public Shape {
     return {.name = "superellipsoid",
             .convexity = m_convex ? Convexity::kConvex : Convexity::kNone};
   }
-  Bounds bounds() const override { return {{-1, -1, -1}, {1, 1, 1}}; }
-  Bounds bounds_in(const Transform& t) const override;
+  Bounds box(const Transform* move) const override {
+    return move ? box_in(*move) : Bounds{{-1, -1, -1}, {1, 1, 1}};
+  }
   bool nearest(const Ray& ray, double t_min, double t_max, ShapeHit& hit) const override;
   void all(const Ray& ray, double t_min, double t_max, ShapeHits& hits) const override;
   bool any(const Ray& ray, double t_min, double t_max) const override;
-  bool inside(const Vec3& p) const override;
+  bool holds(const Vec3& p, bool inverse) const override { return within(p) != inverse; }
   Vec3 normal(const Vec3& p, const ShapeHit& hit) const override;
 
  private:
+  bool within(const Vec3& p) const;
+  Bounds box_in(const Transform& t) const;
   /// A norm of p (of degree 1) less 1.
   double value(const Vec3& p) const;
   /// Calls visit(t) for the crossings along the ray in order; stops when it returns false.

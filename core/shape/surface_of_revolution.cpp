@@ -42,10 +42,10 @@ SurfaceOfRevolution::SurfaceOfRevolution(const std::vector<Vec2>& points, bool o
   const auto end = [](double r) { return r * r > kNoCap ? r * r : 0.0; };
   m_base2 = end(points[1].u);
   m_cap2 = end(points[points.size() - 2].u);
-  m_reach = widened(SurfaceOfRevolution::bounds());
+  m_reach = widened(own_box());
 }
 
-Bounds SurfaceOfRevolution::bounds() const {
+Bounds SurfaceOfRevolution::own_box() const {
   Bounds box;
   for (const Piece& p : m_pieces) {
     const double r = std::sqrt(p.widest2);
@@ -56,8 +56,8 @@ Bounds SurfaceOfRevolution::bounds() const {
 }
 
 /// By slices, each as wide as its widest place.
-Bounds SurfaceOfRevolution::bounds_in(const Transform& t) const {
-  if (keeps_axes(t)) return Shape::bounds_in(t);
+Bounds SurfaceOfRevolution::box_in(const Transform& t) const {
+  if (keeps_axes(t)) return transformed(own_box(), t);
   constexpr int kSlices = 16;
   return support_bounds(t, [&](const Vec3& d) {
     const double across = std::sqrt(d.x * d.x + d.z * d.z);
@@ -76,9 +76,6 @@ Bounds SurfaceOfRevolution::bounds_in(const Transform& t) const {
     return far;
   });
 }
-
-/// The pieces' widths tell where roots are looked for, and so what their last bits are: they stay.
-void SurfaceOfRevolution::drop_shortcuts() { m_reach = Bounds::everything(); }
 
 /// Pieces as the ray comes to them; those that it comes to beyond t_max, which visit may lower, are left out.
 template <class Visit>
@@ -167,7 +164,7 @@ void SurfaceOfRevolution::all(const Ray& ray, double t_min, double t_max, ShapeH
   append_all(each, t_min, t_max, hits);
 }
 
-bool SurfaceOfRevolution::inside(const Vec3& p) const {
+bool SurfaceOfRevolution::within(const Vec3& p) const {
   const double r2 = p.x * p.x + p.z * p.z;
   for (const Piece& piece : m_pieces) {
     if (p.y >= piece.low && p.y <= piece.high) return r2 <= piece.at(p.y - piece.low);

@@ -16,18 +16,20 @@ class SurfaceOfRevolution final : public Shape {
   SurfaceOfRevolution(const std::vector<Vec2>& points, bool open);
 
   ShapeTraits traits() const override { return {.name = "sor", .has_uv = true}; }
-  Bounds bounds() const override;
-  Bounds bounds_in(const Transform& t) const override;
+  Bounds box(const Transform* move) const override { return move ? box_in(*move) : own_box(); }
   bool nearest(const Ray& ray, double t_min, double t_max, ShapeHit& hit) const override;
   void all(const Ray& ray, double t_min, double t_max, ShapeHits& hits) const override;
   bool any(const Ray& ray, double t_min, double t_max) const override;
-  bool inside(const Vec3& p) const override;
+  bool holds(const Vec3& p, bool inverse) const override { return within(p) != inverse; }
   Vec3 normal(const Vec3& p, const ShapeHit& hit) const override;
   /// Around, and with the height, each piece the same share; -1..0 and 1..2 on the caps.
   Vec2 uv(const Vec3& p, const ShapeHit& hit) const override;
-  void drop_shortcuts() override;
 
  private:
+  friend struct PlainShapes;  // tests/unit/plain_shapes.h
+  bool within(const Vec3& p) const;
+  Bounds own_box() const;
+  Bounds box_in(const Transform& t) const;
   /// r^2 = ((c3 s + c2) s + c1) s + c0 with s the height above `low`.
   struct Piece {
     double low, high, c0, c1, c2, c3;

@@ -9,9 +9,8 @@ namespace lentray::core {
 
 Torus::Torus(double major, double minor) : m_major(std::fabs(major)), m_minor(std::fabs(minor)) {}
 
-Bounds Torus::bounds() const { return bounds_in(Transform()); }
-
-Bounds Torus::bounds_in(const Transform& t) const {
+Bounds Torus::box(const Transform* move) const {
+  const Transform t = move ? *move : Transform();
   // A sphere moved along a circle: their boxes add.
   const Vec3 c = t.point({0, 0, 0});
   const Vec3 ring = ellipsoid_extent(t.vector({m_major, 0, 0}), t.vector({0, 0, m_major}));
@@ -82,7 +81,7 @@ void Torus::all(const Ray& ray, double t_min, double t_max, ShapeHits& hits) con
   for (int i = 0; i < n; ++i) hits.push_back({t[i], 0, 0.0, 0.0});
 }
 
-bool Torus::inside(const Vec3& p) const {
+bool Torus::within(const Vec3& p) const {
   const double across = std::sqrt(p.x * p.x + p.z * p.z) - m_major;
   return p.y * p.y + across * across <= m_minor * m_minor;
 }

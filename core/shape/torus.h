@@ -14,17 +14,17 @@ class Torus final : public Shape {
   double major_radius() const { return m_major; }
 
   ShapeTraits traits() const override { return {.name = "torus", .has_uv = true}; }
-  Bounds bounds() const override;
-  Bounds bounds_in(const Transform& t) const override;
+  Bounds box(const Transform* move) const override;
   Ball ball() const override { return {{}, m_major + m_minor}; }
   bool nearest(const Ray& ray, double t_min, double t_max, ShapeHit& hit) const override;
   void all(const Ray& ray, double t_min, double t_max, ShapeHits& hits) const override;
   /// Where minor > major (a spindle) all within the outer surface is inside.
-  bool inside(const Vec3& p) const override;
+  bool holds(const Vec3& p, bool inverse) const override { return within(p) != inverse; }
   Vec3 normal(const Vec3& p, const ShapeHit& hit) const override;
   Vec2 uv(const Vec3& p, const ShapeHit& hit) const override;
 
  private:
+  bool within(const Vec3& p) const;
   int crossings(const Ray& ray, double t_min, double t_max, bool first_alone, double out[4]) const;
   double m_major, m_minor;
 };

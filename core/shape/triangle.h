@@ -12,10 +12,7 @@ class Triangle final : public TriangleShape {
   Triangle(const Vec3& a, const Vec3& b, const Vec3& c);
 
   ShapeTraits traits() const override {
-    return {.name = "triangle",
-            .convexity = Convexity::kFlat,
-            .is_solid = false,
-            .inverse_turns_normal = false};
+    return {.name = "triangle", .convexity = Convexity::kFlat, .is_solid = false};
   }
   Vec3 normal(const Vec3& p, const ShapeHit& hit) const override;
   std::unique_ptr<Shape> baked(const Transform& t) const override;

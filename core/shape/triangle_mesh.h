@@ -39,9 +39,6 @@ class TriangleMesh {
   /// count once, so that the answer is right there too.
   bool odd_crossings(const Ray& ray, double t_min) const;
 
-  /// As Shape::drop_shortcuts(): every ray is tested against every face.
-  void open_boxes() { m_bvh.open_boxes(); }
-
   const MeshData& data() const { return m_data; }
   std::size_t dropped() const { return m_dropped; }  ///< degenerate faces left out
   const Bounds& bounds() const { return m_bounds; }

@@ -12,11 +12,11 @@ bool triangle_is_degenerate(const Vec3& a, const Vec3& b, const Vec3& c) {
   return !(twice_area > 0.0) || !std::isfinite(twice_area);
 }
 
-Bounds TriangleShape::bounds() const {
+Bounds TriangleShape::box(const Transform* move) const {
   Bounds b;
   if (m_degenerate) return b;
   for (const Vec3& p : m_vertices) b.include(p);
-  return padded(b);
+  return moved_box(padded(b), move);
 }
 
 bool TriangleShape::nearest(const Ray& ray, double t_min, double t_max, ShapeHit& hit) const {

@@ -13,12 +13,10 @@ class TriangleShape : public Shape {
   const std::array<Vec3, 3>& vertices() const { return m_vertices; }
   bool is_degenerate() const { return m_degenerate; }  ///< nothing meets it
 
-  Bounds bounds() const override;
+  Bounds box(const Transform* move) const override;
   /// ShapeHit::u, v: the weights of b and c.
   bool nearest(const Ray& ray, double t_min, double t_max, ShapeHit& hit) const final;
   void all(const Ray& ray, double t_min, double t_max, ShapeHits& hits) const final;
-  bool inside(const Vec3&) const override { return false; }
-  bool outside(const Vec3&) const override { return false; }
 
  protected:
   TriangleShape(const Vec3& a, const Vec3& b, const Vec3& c, bool degenerate)

@@ -79,10 +79,11 @@ void PlainShadowTester::order_ties(const Ray& ray) {
                                                                    double reach) {
   m_hits.clear();
   if (buffer) {
-    buffer->all_transparent(*spot, ray, m_tolerance, reach, m_hits, m_context.arena,
+    buffer->all_transparent(*spot, ray, m_tolerance, reach, m_begins_anew, m_hits, m_context.arena,
                             m_test_counters);
   } else {
-    m_hierarchy.all_transparent(ray, m_tolerance, reach, m_hits, m_context.arena, m_test_counters);
+    m_hierarchy.all_transparent(ray, m_tolerance, reach, m_begins_anew, m_hits, m_context.arena,
+                                m_test_counters);
   }
 }
 

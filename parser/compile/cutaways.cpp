@@ -1,6 +1,7 @@
 #include "parser/compile/cutaways.h"
 
 #include "core/object/csg.h"
+#include "core/object/gated.h"
 
 #include <algorithm>
 #include <optional>
@@ -79,7 +80,7 @@ void Cutaways::apply(core::Object& whole, Ref<TextureDesc> inherited, const Comp
   Around nothing;
   if (inherited) nothing.texture = std::move(inherited);
   Pass pass{compile, keep, least, {}};
-  walk(whole, nothing, pass);
+  walk(core::ungated(whole), nothing, pass);
 }
 
 /// Whether the object or a part of it has been given a texture.
@@ -90,7 +91,7 @@ bool Cutaways::textured(const core::Object& object) const {
   if (is_changed(csg, desc->csg()->operation)) return false;
   if (own) return true;
   return std::any_of(csg.children().begin(), csg.children().end(),
-                     [this](const auto& child) { return textured(*child); });
+                     [this](const auto& child) { return textured(core::ungated(*child)); });
 }
 
 Part Cutaways::walk(core::Object& object, const Around& around, Pass& pass) const {
@@ -116,7 +117,8 @@ Part Cutaways::walk(core::Object& object, const Around& around, Pass& pass) cons
   // Unions leave the parts to themselves, unless they clip them.
   below.in_whole = around.in_whole || csg->kind() != core::CsgKind::kUnion || !csg->clips().empty();
   part.only_first = desc->csg()->operation == CsgOperation::kDifference && !changed;
-  for (const auto& child : csg->children()) part.parts.push_back(walk(*child, below, pass));
+  for (const auto& child : csg->children())
+    part.parts.push_back(walk(core::ungated(*child), below, pass));
   if (below.in_whole && !around.in_whole && !pass.bare.empty()) {
     const auto texture = std::make_shared<const core::CutawayTexture>(std::move(part), pass.least);
     pass.keep(texture);

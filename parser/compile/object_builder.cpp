@@ -84,7 +84,6 @@ void ObjectBuilder::add(SceneObject& object) {
   flags.importance = importance;
   nothing.pass_flags = number_of(flags);
   m_used_up = sole_children(object.object);
-  if (m_used_up) m_used_up_box = stock_box_in_world(*object.object, core::Transform());
   add_to_list(*object.object, core::Transform(), nothing);
   m_used_up = nullptr;
   m_last = {};
@@ -259,17 +258,15 @@ std::unique_ptr<core::Object> ObjectBuilder::build_whole(const ObjectDesc& objec
   if (const auto* blob = std::get_if<std::shared_ptr<const BlobShape>>(&object.shape)) {
     add_element_textures(**blob, to_world, *out);
   }
-  const bool is_used_up = csg && csg->children.get() == m_used_up;
-  const Standing standing{from.on_list, is_split, from.in_whole, m_has_hierarchy,
-                          is_used_up ? &m_used_up_box : nullptr};
+  core::Object& content = *out;
   set_limits(
-      object, outer, standing, [&](const ObjectDesc& region) { return geometry(region, outer); },
-      *out);
+      object, outer, {from.on_list, is_split},
+      [&](const ObjectDesc& region) { return geometry(region, outer); }, out);
   if (m_places && from.on_list && from.in_whole && !is_split) {
     const ObjectDesc& called = from.named ? *from.named : object;
     m_places->parts.push_back({out.get(), {called.where, called.keyword}});
   }
-  if (m_cutaways) m_cutaways->record(*out, object, object.texture ? looks.texture : nullptr);
+  if (m_cutaways) m_cutaways->record(content, object, object.texture ? looks.texture : nullptr);
   return out;
 }
 

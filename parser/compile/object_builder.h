@@ -34,8 +34,6 @@ class ObjectBuilder {
   /// Geometry alone: attributes stay empty, lights are left out.
   explicit ObjectBuilder(NotYet& not_yet);
 
-  /// False: so few objects and lights that stock asks each. To be set before the first is added.
-  void set_has_hierarchy(bool has) { m_has_hierarchy = has; }
   /// Gets the places of the objects of the parts' list; null: nobody wants them.
   void set_places(ObjectPlaces* places) { m_places = places; }
   /// One statement of the scene level: appends to the parts. Parts of a union that nobody else refers to
@@ -102,14 +100,12 @@ class ObjectBuilder {
   core::SceneParts* m_parts = nullptr;  ///< null: geometry alone
   TextureCompiler* m_textures = nullptr;
   NotYet& m_not_yet;
-  bool m_has_hierarchy = true;
   ObjectPlaces* m_places = nullptr;
   TextLayout m_texts;
   SlopeWatches m_slope_watches;
   Ref<TextureDesc> m_default;
   Children* m_used_up = nullptr;  ///< of the object being built, those to be let go of; null: none
-  std::optional<core::Bounds> m_used_up_box;  ///< stock's, of that object
-  std::shared_ptr<Cutaways> m_cutaways;       ///< of the object being built; null: it has none
+  std::shared_ptr<Cutaways> m_cutaways;  ///< of the object being built; null: it has none
   /// What was compiled last, with the default as it is: most objects look like the one before.
   struct Last {
     Ref<TextureDesc> texture;

@@ -2,7 +2,6 @@
 
 #include "core/object/leaf.h"
 #include "parser/compile/object_builder.h"
-#include "parser/stock/gates.h"
 
 namespace lentray::parser {
 namespace {
@@ -17,7 +16,6 @@ ObjectQuery::ObjectQuery(const ObjectDesc& object) {
     NotYet missing;
     CompiledSlot::Compiled made;
     auto whole = ObjectBuilder(missing).geometry(object);
-    if (whole) set_gates_alone(object, *whole);
     if (whole && core::is_seen_afar(*whole)) made.farthest = core::Bounds::kInf;
     made.object = std::move(whole);
     slot.made = std::make_shared<const CompiledSlot::Compiled>(std::move(made));

@@ -6,7 +6,6 @@
 #include "parser/compile/object_builder.h"
 #include "parser/compile/photons.h"
 #include "parser/source/build_error.h"
-#include "parser/stock/gates.h"
 
 namespace lentray::parser {
 namespace {
@@ -178,14 +177,6 @@ void warn_about_subsurface(const SceneDesc& scene, const TextureCompiler& textur
   }
 }
 
-bool has_hierarchy(const SceneDesc& scene) {
-  std::size_t n = 0;
-  for (const SceneObject& object : scene.objects) {
-    if (n < kHierarchyFrom) n += count_on_list(*object.object);
-  }
-  return n >= kHierarchyFrom;
-}
-
 }  // namespace
 
 core::SceneParts build_scene(SceneDesc& scene, Diagnostics& diagnostics,
@@ -200,7 +191,6 @@ core::SceneParts build_scene(SceneDesc& scene, Diagnostics& diagnostics,
 
   NotYet not_yet;
   ObjectBuilder builder(parts, textures, not_yet);
-  builder.set_has_hierarchy(has_hierarchy(scene));
   builder.set_places(options.places);
   try {
     for (SceneObject& object : scene.objects) {

@@ -22,10 +22,6 @@ testing::AssertionResult open_shapes_looks_the_same(const std::string& objects) 
 
 const std::string kBlock = "box { <-1.2,-.8,0>, <1.2,1.53,1.2>";
 
-const std::string kPyramid =
-    "mesh { triangle { <-1,0,-1>, <1,0,-1>, <0,1.7,0> } triangle { <1,0,-1>, <0,0,1>, <0,1.7,0> }"
-    " triangle { <0,0,1>, <-1,0,-1>, <0,1.7,0> } ";
-
 struct OpenShapesCase {
   const char* name;
   std::string sdl;
@@ -75,15 +71,13 @@ INSTANTIATE_TEST_SUITE_P(
                        " <.5,1>, <.2,1.2>, <.9,1.4>, <.3,1.8>"}),
     [](const auto& one) { return std::string(one.param.name); });
 
-/// Half-spaces and meshes without a bottom: an inside without end, yet rays that miss their box miss what they cut.
+/// Half-spaces: rays that miss the box of what they are cut from miss the whole.
 INSTANTIATE_TEST_SUITE_P(
     BeyondTheirBoxes, ImageOpenShapes,
-    ::testing::Values(
-        OpenShapesCase{"disc", "disc { <0,.8,0>, <.2,.6,-1>, 1.1"},
-        OpenShapesCase{"ring", "disc { <0,.8,0>, <.2,1,-.3>, 1.1, .5"},
-        OpenShapesCase{"scaled_disc", "disc { <0,.8,0>, <.2,.6,-1>, 1.1 scale <1,.7,1.2>"},
-        OpenShapesCase{"pyramid_without_floor", kPyramid + "inside_vector <.1,1,.2>"},
-        OpenShapesCase{"pyramid_looked_at_from_above", kPyramid + "inside_vector <0,-1,.1>"}),
+    ::testing::Values(OpenShapesCase{"disc", "disc { <0,.8,0>, <.2,.6,-1>, 1.1"},
+                      OpenShapesCase{"ring", "disc { <0,.8,0>, <.2,1,-.3>, 1.1, .5"},
+                      OpenShapesCase{"scaled_disc",
+                                     "disc { <0,.8,0>, <.2,.6,-1>, 1.1 scale <1,.7,1.2>"}),
     [](const auto& one) { return std::string(one.param.name); });
 
 /// The box of a turned CSG is that of its parts' boxes, turned; each time it is turned.
@@ -137,7 +131,7 @@ TEST(ImageOpenShapesTurned, HaveTheBoxOfABox) {
   }
 }
 
-/// As bounds: rays that miss the box of the whole miss it, also those that begin inside. Lights cast no shadows.
+/// As bounds. Lights cast no shadows.
 class ImageOpenBounds : public ::testing::TestWithParam<OpenShapesCase> {};
 
 TEST_P(ImageOpenBounds, OfCsg) {
@@ -164,15 +158,6 @@ TEST_P(ImageOpenBounds, OfCsg) {
 INSTANTIATE_TEST_SUITE_P(
     Each, ImageOpenBounds,
     ::testing::Values(
-        OpenShapesCase{
-            "bounded_ring",
-            "disc { <0,.8,0>, <.2,1,-.3>, 1.1, .5 bounded_by { sphere { <.2,.8,-.2>, .9 } }"},
-        OpenShapesCase{"disc", "disc { <0,.8,0>, <.2,.6,-1>, 1.1"},
-        OpenShapesCase{"ring", "disc { <0,.8,0>, <.2,1,-.3>, 1.1, .5"},
-        OpenShapesCase{"pyramid_without_floor", kPyramid + "inside_vector <.1,1,.2>"},
-        OpenShapesCase{
-            "height_field",
-            "height_field { png \"plasma2.png\" translate <-.5,0,-.5> scale <2.2,1.6,2.2>"},
         OpenShapesCase{"tilted_cylinder", "cylinder { <0,-.6,0>, <.2,1.4,0>, .8"},
         OpenShapesCase{"torus", "torus { .8, .3 rotate 20*x translate .5*y"},
         OpenShapesCase{

@@ -4,8 +4,7 @@
 #include <string_view>
 #include <vector>
 
-#include "core/object/csg.h"
-#include "core/object/leaf.h"
+#include "core/object/gated.h"
 #include "core/scene/scene.h"
 #include "parser/compile/scene.h"
 #include "parser/read_scene.h"
@@ -33,25 +32,19 @@ std::vector<Vec3> directions(const Vec3& eye) {
 }
 
 /// Where each ray meets the first surface; infinite where there is none.
-std::vector<double> distances(const core::SceneParts& parts, const Vec3& eye) {
+std::vector<double> distances(const core::SceneParts& parts, const Vec3& eye, bool open) {
   core::HitArena arena;
   std::vector<double> out;
   for (const Vec3& direction : directions(eye)) {
     core::Hit hit;
     for (const auto& object : parts.objects) {
-      object->nearest({eye, direction}, 1e-6, hit.t, hit,
-                      core::RayQuery(arena, core::RayKind::kCamera));
+      const core::Object& asked = open ? core::ungated(*object) : *object;
+      asked.nearest({eye, direction}, 1e-6, hit.t, hit,
+                    core::RayQuery(arena, core::RayKind::kCamera));
     }
     out.push_back(hit.t);
   }
   return out;
-}
-
-void open_gates(core::Object& object) {
-  if (!object.gates().empty()) object.set_gates({});
-  if (auto* csg = dynamic_cast<core::Csg*>(&object)) {
-    for (const auto& child : csg->children()) open_gates(*child);
-  }
 }
 
 }  // namespace
@@ -70,9 +63,8 @@ std::size_t rays_that_gates_turn_away(const std::string& sdl, const Vec3& eye) {
   parser::SceneDesc scene =
       parser::read_descriptions((folder / "gates.pov").string(), sources, diagnostics, options);
   const core::SceneParts parts = parser::build_scene(scene, diagnostics);
-  const std::vector<double> gated = distances(parts, eye);
-  for (const auto& object : parts.objects) open_gates(*object);
-  const std::vector<double> open = distances(parts, eye);
+  const std::vector<double> gated = distances(parts, eye, false),
+                            open = distances(parts, eye, true);
   std::size_t different = 0;
   for (std::size_t i = 0; i < gated.size(); ++i) different += gated[i] != open[i];
   return different;

@@ -53,8 +53,8 @@ void expect_same(const Hierarchy& list, const Hierarchy& tree, const Ray& ray, d
     ASSERT_TRUE(blocker->any(ray, t_min, t_max, arena));
   }
   std::vector<Hit> all_list, all_tree;
-  list.all_transparent(ray, t_min, t_max, all_list, arena, nullptr);
-  tree.all_transparent(ray, t_min, t_max, all_tree, arena, nullptr);
+  list.all_transparent(ray, t_min, t_max, false, all_list, arena, nullptr);
+  tree.all_transparent(ray, t_min, t_max, false, all_tree, arena, nullptr);
   const auto before = [](const Hit& x, const Hit& y) {
     return x.t != y.t ? x.t < y.t : std::less<>()(x.object, y.object);
   };

@@ -54,8 +54,8 @@ void expect_same_answer(const LightBuffer& buffer, const Hierarchy& hierarchy, c
   }
   ++seen[1];
   std::vector<Hit> ours, all;
-  buffer.all_transparent(spot, ray, kTolerance, reach, ours, arena, nullptr);
-  hierarchy.all_transparent(ray, kTolerance, reach, all, arena, nullptr);
+  buffer.all_transparent(spot, ray, kTolerance, reach, false, ours, arena, nullptr);
+  hierarchy.all_transparent(ray, kTolerance, reach, false, all, arena, nullptr);
   const auto before = [](const Hit& a, const Hit& b) {
     return a.t != b.t ? a.t < b.t : std::less<>()(a.object, b.object);
   };

@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "core/object/csg.h"
+#include "core/object/gated.h"
 #include "core/object/leaf.h"
 #include "core/shape/mesh.h"
 #include "tests/unit/scene_text.h"
@@ -198,12 +199,16 @@ TEST(UnitBuildObjects, BoundsOfCheapObjectsBecomeBoxes) {
       "sphere { 0, 1 bounded_by { sphere { 0, .5 } } translate x }"
       "difference { sphere { 0, 1 } box { 0, 1 } bounded_by { sphere { 0, 2 } } }");
   const core::SceneParts parts = s.build();
-  EXPECT_TRUE(parts.objects[0]->gates().empty());
-  ASSERT_EQ(parts.objects[1]->gates().size(), 1u);
-  EXPECT_EQ(parts.objects[1]->gates()[0]->name(), "box");
-  expect_near(parts.objects[1]->gates()[0]->bounds().hi, {1.5, 0.5, 0.5}, 1e-6);
-  ASSERT_EQ(parts.objects[2]->gates().size(), 1u);
-  EXPECT_EQ(parts.objects[2]->gates()[0]->name(), "sphere");
+  const auto gates_of = [](const core::Object& object) {
+    const auto* gated = dynamic_cast<const core::Gated*>(&object);
+    return gated ? gated->gates() : core::Object::Regions();
+  };
+  EXPECT_TRUE(gates_of(*parts.objects[0]).empty());
+  ASSERT_EQ(gates_of(*parts.objects[1]).size(), 1u);
+  EXPECT_EQ(gates_of(*parts.objects[1])[0]->name(), "box");
+  expect_near(gates_of(*parts.objects[1])[0]->bounds().hi, {1.5, 0.5, 0.5}, 1e-6);
+  ASSERT_EQ(gates_of(*parts.objects[2]).size(), 1u);
+  EXPECT_EQ(gates_of(*parts.objects[2])[0]->name(), "sphere");
 }
 
 TEST(UnitBuildObjects, MeshTextures) {

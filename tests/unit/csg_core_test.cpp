@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <random>
 
+#include "tests/unit/plain_shapes.h"
 #include "tests/unit/scene_text.h"
 
 namespace lentray::parser::test {
@@ -44,8 +45,8 @@ TEST_P(UnitCsgCore, SparesWorkAlone) {
   int met = 0;
   ASSERT_EQ(usual.objects.size(), plain.objects.size());
   for (std::size_t k = 0; k < usual.objects.size(); ++k) {
-    core::Object &shorter = *usual.objects[k], &longer = *plain.objects[k];
-    longer.drop_shortcuts();
+    const core::Object& shorter = *usual.objects[k];
+    const core::PlainObject longer(*plain.objects[k]);
     for (int i = 0; i < 20000; ++i) {
       Vec3 from = point() * (i % 3 == 0 ? 0.4 : 3.0),
            way = normalized(point() - from * (i % 3 == 0 ? 0.0 : 0.7));

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "core/object/csg.h"
+#include "core/object/gated.h"
 #include "core/object/leaf.h"
 #include "core/shape/box.h"
 #include "core/shape/cone.h"
@@ -167,20 +168,6 @@ TEST(UnitCoreCsg, PatchesHaveNoInside) {
   EXPECT_EQ(depths(*cut, {{0, 0, -5}, {0, 0, 1}}), (std::vector<double>{5}));
 }
 
-TEST(UnitCoreCsg, RaysThatMissAPartsGateMissAll) {
-  for (const bool gated : {false, true}) {
-    auto disc = leaf<Disc>(Vec3{}, Vec3{0, 0, 1}, 0.5);  // a half-space in CSG
-    if (gated) disc->set_solid_gate(disc->bounds());
-    EXPECT_EQ(disc->solid_bounds().is_finite(), gated);
-    const auto half =
-        geometry_csg_csg(CsgKind::kIntersection, leaf<Sphere>(Vec3{}, 1.0), std::move(disc));
-    EXPECT_EQ(half->is_gated(), gated);
-    EXPECT_EQ(depths(*half, {{0.2, 0, -5}, {0, 0, 1}}).size(), 2u);
-    EXPECT_TRUE(half->inside({0.8, 0, -0.1}));
-    EXPECT_EQ(depths(*half, {{0.8, 0, -5}, {0, 0, 1}}).size(), gated ? 0u : 1u);
-  }
-}
-
 TEST(UnitCoreCsg, ManyChildrenMatchFew) {
   // The same forty holes as one difference (searched by a hierarchy) and as nested ones.
   Random random(22);
@@ -276,9 +263,14 @@ TEST(UnitCoreClipping, InverseClipsAndInfiniteObjects) {
   EXPECT_TRUE(plane->nearest({{3, 5, 0}, {0, -1, 0}}, 0, kGeometryCsgInf, hit, arena));
 }
 
-TEST(UnitCoreBounding, RaysThatMissItMissTheObject) {
-  auto sphere = leaf<Sphere>(Vec3{}, 1.0);
-  sphere->set_gates({std::shared_ptr<const Object>(leaf<Box>(Vec3{-2, 0, -2}, Vec3{2, 2, 2}))});
+std::unique_ptr<Object> gated_by_box(std::unique_ptr<Object> content, const Vec3& lo,
+                                     const Vec3& hi) {
+  return std::make_unique<Gated>(std::move(content),
+                                 Object::Regions{std::shared_ptr<const Object>(leaf<Box>(lo, hi))});
+}
+
+TEST(UnitCoreGated, RaysThatMissAGateMissTheContent) {
+  const auto sphere = gated_by_box(leaf<Sphere>(Vec3{}, 1.0), {-2, 0, -2}, {2, 2, 2});
   HitArena arena;
   Hit hit;
   EXPECT_TRUE(sphere->nearest({{0, 0.5, -5}, {0, 0, 1}}, 0, kGeometryCsgInf, hit, arena));
@@ -286,6 +278,36 @@ TEST(UnitCoreBounding, RaysThatMissItMissTheObject) {
   EXPECT_FALSE(sphere->any({{0, -0.5, -5}, {0, 0, 1}}, 0, kGeometryCsgInf, arena));
   EXPECT_TRUE(sphere->nearest({{0, 0.5, 0}, {0, -1, 0}}, 0, kGeometryCsgInf, hit,
                               arena));  // starts inside it
+  EXPECT_TRUE(sphere->inside({0, -0.5, 0}));
+}
+
+TEST(UnitCoreGated, APartOfACsgIsSeenThroughItsGateAlone) {
+  const auto cut =
+      geometry_csg_csg(CsgKind::kDifference, leaf<Sphere>(Vec3{}, 2.0),
+                       gated_by_box(leaf<Sphere>(Vec3{0, 0, -2}, 1.0), {-2, 0, -2}, {2, 2, 2}));
+  EXPECT_EQ(depths(*cut, {{0, 0.5, -5}, {0, 0, 1}}).size(), 2u);
+  // The front of the outer sphere is in the part, whose own surface no ray here meets.
+  EXPECT_EQ(depths(*cut, {{0, -0.5, -5}, {0, 0, 1}}).size(), 1u);
+}
+
+TEST(UnitCoreGated, FollowsItsContentWhenItIsInverted) {
+  const auto sphere = gated_by_box(leaf<Sphere>(Vec3{}, 1.0), Vec3(-2.0), Vec3(2.0));
+  sphere->set_inverse(true);
+  EXPECT_TRUE(sphere->is_inverse());
+  EXPECT_FALSE(sphere->inside({0, 0, 0}));
+  EXPECT_TRUE(sphere->inside({3, 0, 0}));
+  const auto patch = gated_by_box(leaf<Triangle>(Vec3{-5, -5, 0}, Vec3{5, -5, 0}, Vec3{0, 5, 0}),
+                                  Vec3(-2.0), Vec3(2.0));
+  patch->set_inverse(true);
+  EXPECT_FALSE(patch->is_inverse() || patch->inside({0, 0, 1}));
+}
+
+TEST(UnitCoreGated, BoxesOfGatesStandForInfiniteOnes) {
+  const auto plane = gated_by_box(leaf<Plane>(Vec3{0, 1, 0}, 0.0), Vec3(-2.0), Vec3(2.0));
+  EXPECT_TRUE(plane->bounds().is_finite());
+  EXPECT_FALSE(plane->solid_bounds().is_finite());
+  // Through the gate, and on to what lies beyond it.
+  EXPECT_EQ(depths(*plane, {{0, 1, 0}, normalized(Vec3{10, -1, 0})}).size(), 1u);
 }
 
 TEST(UnitCoreCsg, EmptyAndInfiniteOnes) {

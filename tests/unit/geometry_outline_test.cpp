@@ -11,6 +11,7 @@
 #include "core/shape/prism.h"
 #include "core/shape/sphere.h"
 #include "tests/unit/geometry_help.h"
+#include "tests/unit/plain_shapes.h"
 
 namespace lentray::core {
 namespace {
@@ -41,7 +42,7 @@ TEST(UnitCoreOutline, SquaresSayWhatCountingSays) {
     for (const Vec2 at : {Vec2{0, 0}, Vec2{300 * scale, -20 * scale}}) {
       const Outline outline = ring(scale, at);
       Outline plain = outline;
-      plain.drop_boxes();
+      PlainShapes::open(plain);
       int inside = 0;
       for (int i = 0; i < 20000; ++i) {
         const double u = at.u + scale * random.in(-1.7, 1.7),
@@ -228,6 +229,7 @@ TEST(UnitGeometryClips, TheNearestOfAPolynomialIsTheFirstOfAllThatAreKept) {
   c[17] = -0.3;
   Leaf leaf(std::make_unique<Poly>("cubic", 3, c), Transform());
   leaf.set_clips({std::make_shared<Leaf>(std::make_unique<Sphere>(Vec3{}, 1.0), Transform())});
+  leaf.search_within_clips();
   HitArena arena;
   int met = 0;
   for (int i = 0; i < 20000; ++i) {
@@ -271,6 +273,7 @@ TEST(UnitGeometryClips, APolynomialLosesNoCrossingToTheBallOfItsClips) {
     const auto clip =
         std::make_shared<Leaf>(std::make_unique<Sphere>(place.point(on), 0.8), Transform());
     clipped.set_clips({clip});
+    clipped.search_within_clips();
     HitArena arena;
     int met = 0;
     for (int i = 0; i < 8000; ++i) {

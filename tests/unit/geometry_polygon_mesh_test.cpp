@@ -194,10 +194,10 @@ TEST(UnitCoreMesh, InsideByParityEvenThroughEdgesAndCorners) {
     const Vec3 d = random.direction();
     EXPECT_TRUE(mesh.inside(d * 0.6));
     EXPECT_FALSE(mesh.inside(d * 1.3));
-    EXPECT_NE(mesh.inside(d), mesh.outside(d));
+    EXPECT_NE(mesh.inside(d), mesh.holds(d, true));
   }
   const Mesh skin(std::make_shared<const TriangleMesh>(bumpy(16, 5)), std::nullopt, false);
-  EXPECT_FALSE(skin.inside({0, 0, 0}) || skin.outside({0, 0, 0}) || skin.traits().is_solid);
+  EXPECT_FALSE(skin.inside({0, 0, 0}) || skin.holds({0, 0, 0}, true) || skin.traits().is_solid);
 }
 
 TEST(UnitCoreMesh, NormalsTexturesUvAndErrors) {

@@ -3,6 +3,7 @@
 
 #include "core/shape/isosurface.h"
 #include "core/shape/julia_fractal.h"
+#include "core/shape/julia_maps.h"
 #include "core/shape/parametric.h"
 #include "tests/unit/geometry_help.h"
 
@@ -38,6 +39,41 @@ TEST(UnitCoreJulia, HitsLieOnTheSurfaceWithinTheBounds) {
     }
     EXPECT_GT(met, 100);
   }
+}
+
+/// Rays go on within the ball that the orbit of a point foresees, and do not ask there.
+template <class F>
+void expect_room(JuliaSettings set) {
+  using Map = julia::FunctionMap<F>;
+  static_assert(Map::kForesees);
+  set.hypercomplex = true;
+  set.max_iteration = 6;
+  set.precision = 30.0;
+  const Map map(set, F{});
+  typename Map::Memory orbit(map);
+  Random random(5);
+  int asked = 0;
+  double unused;
+  for (int round = 0; round < 3000; ++round) {
+    const Vec3 p = random.vector(2.0);
+    if (!map.step(p, {1, 0, 0}, unused, orbit)) continue;
+    const double room = map.room(orbit, 1e-3);
+    if (!(room > 0.0)) continue;
+    for (int i = 0; i < 20; ++i) {
+      ++asked;
+      const Vec3 q = p + normalized(random.vector(1.0)) * (room * (i < 10 ? 0.999 : 0.5));
+      EXPECT_TRUE(map.step(q, {1, 0, 0}, unused, orbit)) << round;
+    }
+  }
+  EXPECT_GT(asked, 2000);
+}
+
+TEST(UnitCoreJulia, WhatAnOrbitForeseesIsWithin) {
+  JuliaSettings set;
+  set.parameter = {-0.6, 0.2, 0.2, 0.1};
+  expect_room<complex_functions::Exp>(set);
+  set.parameter = {-0.16, 0.16, 0.4, -0.3};
+  expect_room<complex_functions::Sin>(set);
 }
 
 TEST(UnitCoreJulia, QuaternionsHaveTwoFunctions) {

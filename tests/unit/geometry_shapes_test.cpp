@@ -355,7 +355,7 @@ TEST(UnitCorePlane, SidesAndBounds) {
   EXPECT_FALSE(plane.nearest({{0, 10, 0}, {1, 0, 0}}, 0, kGeometryShapesInf, hit));
   EXPECT_TRUE(plane.inside({0, 2.9, 0}));
   EXPECT_FALSE(plane.inside({0, 3.1, 0}));
-  EXPECT_TRUE(plane.inside({5, 3.0, 0}) && plane.outside({5, 3.0, 0}));
+  EXPECT_TRUE(plane.inside({5, 3.0, 0}) && plane.holds({5, 3.0, 0}, true));
   EXPECT_FALSE(plane.bounds().is_finite());
   EXPECT_NEAR(plane.bounds().hi.y, 3.0, 1e-9);
   const Transform t = Transform::scaling({1, 2, 1}).then(Transform::rotation({0, 0, 90}));
@@ -386,7 +386,7 @@ TEST(UnitCoreTriangle, HitsWeightsAndDegeneracy) {
   EXPECT_DOUBLE_EQ(hit.u, 0.25);
   EXPECT_DOUBLE_EQ(hit.v, 0.125);
   EXPECT_FALSE(triangle.nearest({{1.5, 1.5, -1}, {0, 0, 1}}, 0, kGeometryShapesInf, hit));
-  EXPECT_FALSE(triangle.inside({0.1, 0.1, 0}) || triangle.outside({0.1, 0.1, 5}));
+  EXPECT_FALSE(triangle.inside({0.1, 0.1, 0}) || triangle.holds({0.1, 0.1, 5}, true));
   EXPECT_FALSE(triangle.nearest({{-1, 0.5, 0}, {1, 0, 0}}, 0, kGeometryShapesInf, hit));  // edge on
   const Triangle flat({0, 0, 0}, {1, 1, 1}, {2, 2, 2});
   EXPECT_TRUE(flat.is_degenerate());

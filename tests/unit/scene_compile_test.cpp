@@ -9,6 +9,7 @@
 #include "core/accel/light_buffer.h"
 #include "core/base/memory_limit.h"
 #include "core/object/csg.h"
+#include "core/object/gated.h"
 #include "core/object/leaf.h"
 #include "core/scene/explain.h"
 #include "core/scene/scene.h"
@@ -144,9 +145,8 @@ TEST(UnitCoreScene, UnionsAreSplitWhereTheirSurfaceIsThatOfTheirParts) {
   auto clipped = b.csg(CsgKind::kUnion, b.ball(15, t), b.ball(18, t));
   clipped->set_clips({b.ball(15, t)});
   b.parts.objects.push_back(std::move(clipped));
-  auto bounded = b.csg(CsgKind::kUnion, b.ball(21, t), b.ball(24, t));
-  bounded->set_gates({b.ball(21, t)});
-  b.parts.objects.push_back(std::move(bounded));
+  b.parts.objects.push_back(std::make_unique<Gated>(
+      b.csg(CsgKind::kUnion, b.ball(21, t), b.ball(24, t)), Object::Regions{b.ball(21, t)}));
   const auto scene = b.compile();
   ASSERT_EQ(scene->objects().size(), 7u);
   const std::vector<double> expected{0, 3, 6, 9};  // scene order is kept

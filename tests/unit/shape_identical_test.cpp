@@ -1,6 +1,5 @@
 // Every kind of shape, alone, in CSG and cut, under two lights and in a mirror: with the hierarchy,
-// light buffers, the specialised tracer and the shapes' own hierarchies the same bits as without any
-// of them.
+// light buffers and the specialised tracer the same bits as without any of them.
 #include <bit>
 
 #include "core/trace/integrator.h"
@@ -19,13 +18,9 @@ struct Way {
 };
 
 std::vector<core::Radiance> shape_identical_picture(const std::string& sdl, const Way& way,
-                                                    int width, int height, bool shortcuts = true) {
+                                                    int width, int height) {
   SceneText text(sdl, with_fonts());
-  core::SceneParts parts = text.build();
-  for (const auto& object : parts.objects) {
-    if (!shortcuts) object->drop_shortcuts();
-  }
-  core::Scene scene(std::move(parts), way.options);
+  core::Scene scene(text.build(), way.options);
   if (way.light_buffer_rays > 0) scene.build_light_buffers(way.light_buffer_rays);
   core::ThreadContext context(scene, false);
   const auto tester = shadow::make_tester_factory("off")->make(context);
@@ -72,7 +67,7 @@ TEST_P(UnitShapeIdentical, WithEveryOptimisationAndWithNone) {
   grid.accelerator = core::Accelerator::kGrid;
   none.accelerator = core::Accelerator::kList;
   none.general_path = true;
-  const auto expected = shape_identical_picture(sdl, {"none", none}, width, height, false);
+  const auto expected = shape_identical_picture(sdl, {"none", none}, width, height);
   for (const Way& way :
        {Way{"all", {}, 2400}, Way{"without light buffers", {}}, Way{"grid", grid}}) {
     const auto seen = shape_identical_picture(sdl, way, width, height);
