@@ -106,7 +106,7 @@ class LensSheet {
   std::uint32_t lens_count() const { return static_cast<std::uint32_t>(m_columns.back().lens) + 1; }
   /// The columns behind each lens; of a slanted sheet those at its middle height.
   core::LensColumns columns() const { return {m_lens.pixels}; }
-  /// L as it is told to people: whole unless the last lens is cut.
+  /// L as it is reported: whole unless the last lens is cut.
   double counted_lenses() const { return columns().counted(width()); }
   bool is_slanted() const { return m_lens.slant != 0.0; }
   /// L P / cos a: the sheet's width in mm.

@@ -76,13 +76,13 @@ class Lenticular : public Camera {
   double print_height() const;
   double print_dpi_x() const { return m_sheet.lens().print_dpi(); }
   double print_dpi_y() const { return m_height * 25.4 / print_height(); }
-  /// What a user should be told: clamped front, dark pixels.
+  /// What a user should know: clamped front, dark pixels.
   std::vector<std::string> warnings() const;
   /// Lines of the report about the lens model.
   virtual std::vector<std::string> model_report() const;
 
  protected:
-  /// What a user should be told of dark pixels, of which there are some.
+  /// What a user should know of dark pixels, of which there are some.
   virtual std::string dark_warning() const;
   /// 1/V in scene units; 0 when V is infinite.
   double inverse_distance() const { return m_inverse_distance; }

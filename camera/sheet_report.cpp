@@ -213,7 +213,7 @@ std::vector<std::string> viewing_lines(const Lenticular& sheet) {
   return out;
 }
 
-/// What a print still needs to be told.
+/// What a print still needs to know.
 std::vector<std::string> missing_lines(const Lenticular& sheet, const LensRequest& asked) {
   std::string list;
   const auto add = [&list](const char* text) {

@@ -9,7 +9,7 @@ namespace {
 
 using core::Vec3;
 
-/// The slope of a view's line through the sheet's middle, as one of its rays tells it.
+/// The slope of a view's line through the sheet's middle, as one of its rays gives it.
 struct Slopes {
   double x, y;
 };

@@ -51,7 +51,7 @@ class Cascade {
   }
   [[gnu::noinline]] void find_cells(const core::ShadowQuery& query) {
     if (!m_grid) {
-      m_grid.emplace(m_scene);  // looks at all objects
+      m_grid.emplace(m_scene);  // reads all objects
       m_entries = zeroed_entries(m_grid->slots());
     }
     m_cells = m_grid->cells(query);

@@ -82,7 +82,7 @@ struct Best {
   double reach() const { return entry ? next_up(t) : t; }
 };
 
-/// Who wins where both are met at once.
+/// Who wins where both are hit at once.
 [[gnu::noinline, gnu::cold]] bool wins_tie(const ObjectEntry& e, const ObjectEntry& over,
                                            const Ray& ray) {
   // As floats: by how much bounds are larger than what they hold does not count.
@@ -306,7 +306,7 @@ Hierarchy::Impl::Impl(const std::vector<std::unique_ptr<Object>>& objects, Accel
     if (!box.is_empty()) {
       bounds.include(box);
     } else if (!has_nan(box)) {
-      continue;  // nothing meets it
+      continue;  // nothing hits it
     }
     // Of equal distances infinite objects win: a floor over a box that ends there.
     if (!box.is_finite()) {

@@ -52,7 +52,7 @@ struct Rgb {
 /// Luminance weights that POV-Ray uses for grey: 0.297, 0.589, 0.114.
 constexpr float grey(const Rgb& c) { return 0.297f * c.r + 0.589f * c.g + 0.114f * c.b; }
 
-/// By which stock tells whether samples need another between them.
+/// By which stock decides whether samples need another between them.
 inline double difference(const Rgb& a, const Rgb& b) {
   return std::fabs(a.r - b.r) + std::fabs(a.g - b.g) + std::fabs(a.b - b.b);
 }

@@ -8,7 +8,7 @@
 
 namespace lentray::core {
 
-/// What one level of objects or looks in each other takes of the stack at most, whatever goes through
+/// What one level of objects or textures in each other takes of the stack at most, whatever goes through
 /// them: reading, building, tracing, destroying (`ImageNestedScenes`).
 constexpr std::size_t kStackBytesALevel = std::size_t{32} << 10;
 
@@ -16,7 +16,7 @@ constexpr std::size_t kStackBytesALevel = std::size_t{32} << 10;
 /// the last of them meets.
 constexpr std::size_t kMostRays = 50'000;
 
-/// The stack that the caller runs on; it grows downwards. Empty if the system does not tell.
+/// The stack that the caller runs on; it grows downwards. Empty if the system does not say.
 struct StackRange {
   std::uintptr_t lowest = 0;
   std::size_t bytes = 0;
@@ -32,7 +32,7 @@ void run_on_deep_stack(const std::function<void()>& work);
 
 /// Runs `work`, which must not throw, on `count` threads at once and waits for all. On fewer if the
 /// system gives no more; in the caller's, on a deep stack, if it gives none. Half of each stack has room for
-/// `levels` of objects and looks in each other.
+/// `levels` of objects and textures in each other.
 void run_on_threads(unsigned count, std::size_t levels, const std::function<void()>& work);
 
 }  // namespace lentray::core

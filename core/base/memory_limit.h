@@ -13,7 +13,7 @@ class NoRoom : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// Bytes the process holds now, in memory proper; 0 where the system does not tell.
+/// Bytes the process holds now, in memory proper; 0 where the system does not say.
 double resident_bytes();
 
 /// Bytes; infinity, as at first: no limit.

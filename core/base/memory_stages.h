@@ -14,7 +14,7 @@ struct MemoryStage {
 };
 using MemoryStages = std::vector<MemoryStage>;
 
-/// What the program has asked the allocator for and not given back; 0 where that does not tell.
+/// What the program has asked the allocator for and not given back; 0 where that is unknown.
 std::uint64_t heap_bytes();
 /// What has been added since heap_bytes() was `before`; 0 if it has become less.
 std::uint64_t heap_bytes_since(std::uint64_t before);

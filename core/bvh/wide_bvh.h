@@ -73,7 +73,7 @@ struct WideLimits {
   static float down(double x) { return -up(-x); }
 
   /// Origins further than this from the middle are moved along the ray to the boxes, for floats
-  /// could not tell the boxes apart from there.
+  /// could not distinguish the boxes from there.
   static constexpr double kNear = 4.0;
   /// Direction components are at least this part of the largest: along a range of 8 such a ray
   /// drifts by 2^-59, less than any box is padded.

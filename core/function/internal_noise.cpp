@@ -6,7 +6,7 @@
 namespace lentray::core {
 namespace {
 
-/// Of an absurd number of octaves the first do: the others cannot be told apart.
+/// Of an absurd number of octaves the first do: the others cannot be distinguished.
 constexpr double kMostOctaves = 1000.0;
 
 /// A whole number within +-1000.

@@ -106,7 +106,7 @@ void ByteFile::put(std::uint64_t place, const char* bytes, std::size_t size) {
   hold(place + done, bytes + done, size - done);
 }
 
-/// How many bytes found room; errno tells why there are not more.
+/// How many bytes found room; errno says why there are not more.
 std::size_t ByteFile::put_on_disk(std::uint64_t place, const char* bytes, std::size_t size) const {
   std::size_t done = 0;
   while (done < size) {
@@ -127,7 +127,7 @@ void ByteFile::hold(std::uint64_t place, const char* bytes, std::size_t size) {
   if (m_held > kMostHeld) settle();
 }
 
-/// A quota does not tell what is left of it.
+/// A quota does not say what is left of it.
 std::uint64_t ByteFile::room_to_be_had() const {
   struct statvfs disk {};
   const bool is_known = m_why == ENOSPC && ::fstatvfs(m_file, &disk) == 0;

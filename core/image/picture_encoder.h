@@ -18,7 +18,7 @@ struct PictureSpec {
   std::uint32_t width = 0, height = 0;
   int channels = 3;     ///< 1 grey, 2 with alpha, 3 RGB, 4 RGBA; alpha not premultiplied
   int bits = 8;         ///< 8 or 16: integers; 32: float
-  int levels = 0;       ///< bits that tell something; 0: all
+  int levels = 0;       ///< bits that carry information; 0: all
   bool half = false;    ///< OpenEXR keeps 16 of the float's bits
   int quality = 85;     ///< of JPEG
   bool tagged = false;  ///< what follows is known and goes into the file

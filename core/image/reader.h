@@ -23,7 +23,7 @@ struct StoredImage {
   bool premultiplied = false;  ///< by alpha
   Samples samples;             ///< row 0 on top, channels interleaved
   /// Palette entries of the pixels, row 0 on top; empty: there is no palette. Two entries may have one colour,
-  /// which the samples cannot tell.
+  /// which the samples cannot show.
   std::vector<std::uint8_t> entries;
   std::map<std::string, std::string> attributes;  ///< whatever the file says of itself, as text
   /// The ICC profile that the samples' colours are of; empty: sRGB, or what `gamma` says. read_image() leaves it empty.
@@ -41,7 +41,7 @@ struct StoredImage {
   }
 };
 
-/// What a file is called where its path is only a handle on it: its end tells the format where its first bytes do
+/// What a file is called where its path is only a handle on it: its end gives the format where its first bytes do
 /// not, and messages name it. `is_targa`: such files are not marked, but the scene says so.
 struct NamedFile {
   std::filesystem::path path, name{};

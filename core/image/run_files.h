@@ -1,5 +1,5 @@
 // The files of a run: what it read, and what its outputs are for. No output takes the place of an input, and no
-// two outputs are one file. Files are told apart by device and inode, so that links, hard links and other ways to
+// two outputs are one file. Files are distinguished by device and inode, so that links, hard links and other ways to
 // write a name make no difference. Only plain files count. One memory for the whole process.
 // Errors: ImageError. Threads: any.
 #pragma once

@@ -34,7 +34,7 @@ class SampleRows {
   void radiance(const float* from, std::uint32_t rows);
   unsigned spread(unsigned level) const;
 
-  ImageFormat m_format;  ///< its bits are those that tell something
+  ImageFormat m_format;  ///< its bits are those that carry information
   const StoredAs m_stored;
   const std::uint32_t m_width;
   const int m_colours, m_channels;

@@ -1,5 +1,5 @@
 // Truevision Targa 2.0 of 24 bits, or of 32 with alpha, the top row first; plain or in runs, which end with their
-// row. The extension area tells the gamma and the software.
+// row. The extension area gives the gamma and the software.
 // Source: Truevision's TGA file format specification, version 2.0; measured on stock.
 #include <algorithm>
 #include <cmath>

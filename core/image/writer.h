@@ -61,7 +61,7 @@ struct ImageMetadata {
 /// What a file of that format holds.
 struct StoredAs {
   int bits = 8;    ///< a channel takes: 8 or 16, 32 for float
-  int levels = 8;  ///< bits that tell something: what is stored has 2^levels values
+  int levels = 8;  ///< bits that carry information: what is stored has 2^levels values
   bool alpha = false, grey = false;
 };
 StoredAs stored_as(const ImageFormat& format);

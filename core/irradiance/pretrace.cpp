@@ -26,7 +26,7 @@ std::vector<PixelBlock> pixel_blocks(std::uint32_t width, std::uint32_t height) 
 /// A level follows as long as the one before it is coarser than the end.
 std::vector<PretraceLevel> pretrace_levels(const RadiositySettings& settings, std::uint32_t width,
                                            std::uint32_t height) {
-  constexpr double kSame = 1.0 + 7e-11;  ///< quotient of spacings that rounding alone tells apart
+  constexpr double kSame = 1.0 + 7e-11;  ///< quotient of spacings that rounding alone makes
   const double side = std::max(width, height);
   const double end = std::max(1.0, side * settings.pretrace_end);
   std::vector<PretraceLevel> levels;
@@ -124,7 +124,7 @@ std::vector<PretracePlace> pretrace_places(const PretraceLevel& level, const Pre
 }
 
 bool goes_on(const PartFindings& found, int enough) {
-  constexpr std::size_t kFew = 9;  ///< places that tell nothing
+  constexpr std::size_t kFew = 9;  ///< places that are not enough to judge by
   const auto served = [&] {
     return enough > 0 && found.samples / static_cast<double>(found.queries) >= enough;
   };

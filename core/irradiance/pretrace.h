@@ -34,7 +34,7 @@ struct PretracePlace {
 struct PretracePart {
   std::uint32_t column = 0, row = 0;
 };
-/// A block with what of it the next level looks at.
+/// A block with what of it the next level samples.
 struct PretraceBlock {
   PixelBlock pixels;
   std::size_t number = 0;              ///< among the picture's blocks
@@ -73,7 +73,7 @@ struct PartFindings {
   std::uint64_t queries = 0;
   double samples = 0.0;  ///< that could be used again, in all queries
 };
-/// Whether the next level looks at it too. `enough` samples a query: it need not; 0: they never are.
+/// Whether the next level samples it too. `enough` samples a query: it need not; 0: they never are.
 bool goes_on(const PartFindings& found, int enough);
 
 /// Ends a level: `wanted` parts (some of the block's) remain, where `enough` is not 0 cut finer.

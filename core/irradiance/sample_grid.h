@@ -3,7 +3,7 @@
 // come first. Reading is thread-safe while nobody adds.
 //
 // There is a grid for each size of boxes, a power of two. A cell names all samples whose boxes reach into
-// it, four side by side with what tells in floats that they are too far, or turned away too much: none
+// it, four side by side with what shows in floats that they are too far, or turned away too much: none
 // that is of use is left out.
 #pragma once
 

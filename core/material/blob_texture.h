@@ -1,4 +1,4 @@
-// The looks of a blob whose elements have textures of their own: at a point those of all elements
+// The texture of a blob whose elements have textures of their own: at a point those of all elements
 // that reach it, by the strength of their fields. World space. Immutable.
 // Source: reference manual 3.7, "Blob"; compared with stock by image.shapes.
 #pragma once

@@ -107,7 +107,7 @@ inline double most_of_cubic(double a, double b, double c, double d) {
   return most;
 }
 
-/// The support of a set of which may_hold(centre, half) tells whether a box can have a part in it:
+/// The support of a set of which may_hold(centre, half) says whether a box can have a part in it:
 /// the most that d.p can be in the box, to within `fine`, or less closely if more than `budget`
 /// cells have to be looked at. Never too little.
 template <class MayHold>

@@ -34,7 +34,7 @@ struct LensColumns {
   bool is_last_cut(std::uint32_t width) const {
     return lens_of(std::int64_t{width} - 1) == lens_of(width);
   }
-  /// How many there are, as it is told to people: a whole number, or the quotient where the last one is cut.
+  /// How many there are, as it is reported: a whole number, or the quotient where the last one is cut.
   double counted(std::uint32_t width) const {
     return is_last_cut(width) ? width / pixels : static_cast<double>(whole_lenses(width));
   }

@@ -52,7 +52,7 @@ void PlaneBoxes::fill(const std::vector<PlaneBox>& boxes, const PlaneBox& around
 }
 
 PlaneBoxes::Line::Line(const PlaneWay& way, const Vec2& lo, const Vec2& share) {
-  constexpr double kFar = 0x1p9;  // of the box around: farther, floats tell too little
+  constexpr double kFar = 0x1p9;  // of the box around: farther, floats are too coarse
   const Double2 shares = simd::double2_at(&share.u);
   const auto in_shares = [&](const Vec2& p) {
     return (simd::double2_at(&p.u) - simd::double2_at(&lo.u)) * shares;

@@ -159,7 +159,7 @@ constexpr Binomials kInverseBinomials = [] {
   return all;
 }();
 
-/// Parts an interval until the signs of the Bernstein coefficients tell that a piece has no root or
+/// Parts an interval until the signs of the Bernstein coefficients show that a piece has no root or
 /// one (Descartes' rule); pieces that stay unclear go to solve_pieces.
 template <int kOrder>
 class RootParting {

@@ -1,7 +1,7 @@
 // Real roots of polynomials. Coefficients from the highest power down; a leading
 // coefficient 0 lowers the order. Roots come ascending, a double root once or twice.
 // Order 2 in closed form without cancellation; above, the interval is halved until the signs of the
-// Bernstein coefficients tell of each piece that it has no root or one (Descartes' rule). Pieces that
+// Bernstein coefficients show of each piece that it has no root or one (Descartes' rule). Pieces that
 // stay unclear, and orders above 12, are split at the derivative's roots into monotonic ones. Each
 // root is bracketed then, and found by Newton steps that never leave the bracket. That finds every
 // simple root, as a Sturm chain would, for less.

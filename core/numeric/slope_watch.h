@@ -1,7 +1,7 @@
 // How steep the function of an isosurface turned out to be along the rays that were searched, beside
 // the max_gradient it was given. What it finds depends on the rays: a picture with holes may hide it.
 // note(): any number of threads; the rest after rendering.
-// Source: when stock 3.7 tells of it, measured with functions of known slope
+// Source: when stock 3.7 warns of it, measured with functions of known slope
 // (tests/unit/geometry_slope_watch_test.cpp).
 #pragma once
 
@@ -24,7 +24,7 @@ class SlopeWatch {
   double max_gradient() const { return m_max_gradient; }
   double steepest() const { return m_steepest.load(std::memory_order_relaxed); }
 
-  /// What to tell the user; empty where max_gradient suits what was seen, or nothing was.
+  /// What to say to the user; empty where max_gradient suits what was seen, or nothing was.
   std::string advice() const;
 
  private:

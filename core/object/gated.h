@@ -14,7 +14,7 @@ namespace lentray::core {
 /// shows the content beyond them, too. What is inside the content does not depend on them.
 class Gated final : public Object {
  public:
-  /// Has the content's looks; those of its surfaces are the content's.
+  /// Has the content's material; those of its surfaces are the content's.
   Gated(std::unique_ptr<Object> content, Regions gates);
   std::string_view name() const override { return m_content->name(); }
   /// Where the content's are infinite, the gates': these may hold less than is seen through them.

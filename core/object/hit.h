@@ -18,7 +18,7 @@ class Object;
 /// A crossing of a ray with an object.
 struct Hit {
   double t = Bounds::kInf;
-  const Leaf* leaf = nullptr;      ///< whose surface it is: gives normal and looks
+  const Leaf* leaf = nullptr;      ///< whose surface it is: gives normal and material
   const Object* object = nullptr;  ///< the object of the scene's list that it belongs to
   ShapeHit shape;                  ///< in the leaf's space
   std::uint32_t place = 0;         ///< where all hits are asked for: infinite objects, then the

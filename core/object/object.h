@@ -1,4 +1,4 @@
-// An object of a compiled scene: what rays can meet, with its looks and its clips. Shapes that stand in
+// An object of a compiled scene: what rays can meet, with its material and its clips. Shapes that stand in
 // the world are core/object/leaf.h, CSG of objects is core/object/csg.h, what is seen through bounds alone
 // is core/object/gated.h.
 // Space: world. Constant to its users while rendering: a CSG of many parts builds their hierarchy at
@@ -45,7 +45,7 @@ class Object {
   }
   /// As SDL's inside(): clipping and `inverse` count.
   virtual bool inside(const Vec3& p) const = 0;
-  /// Every primitive below, itself included (for what looks and types occur).
+  /// Every primitive below, itself included (for what materials and types occur).
   virtual void leaves(std::vector<const Leaf*>& out) const = 0;
 
   /// A ray whose line misses it misses the object.
@@ -55,7 +55,7 @@ class Object {
   /// True where all of the surface lies in the solid of every part that is not inverse: a single
   /// shape, or an intersection of such.
   bool lies_in_parts() const { return m_lies_in_parts; }
-  /// True of finite solids that no ray leaves without a crossing that all() tells of.
+  /// True of finite solids that no ray leaves without a crossing that all() finds.
   bool is_closed() const {
     return (m_closed || convexity() == Convexity::kConvex) && clips().empty();
   }

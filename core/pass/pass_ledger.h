@@ -1,4 +1,4 @@
-// What passes have committed, kept outside so that a run that is cut off can be gone on with.
+// What passes have committed, kept outside so that a run that is cut off can be continued.
 // Records are bytes, the passes' own, and come back in the order in which they were kept.
 // Threads: one at a time.
 #pragma once

@@ -22,7 +22,7 @@ struct PassOptions {
   const std::atomic<bool>* cancel = nullptr;  ///< set from outside to stop soon
   Progress* progress = nullptr;               ///< hears of passes and film as one work
   double film_work = 0.0;                     ///< of the film, as Pass::work()
-  PassLedger* ledger = nullptr;               ///< keeps what is committed; goes on with it
+  PassLedger* ledger = nullptr;               ///< keeps what is committed, and continues from it
 };
 
 class PassList {

@@ -1,4 +1,4 @@
-// What is told of a pass at the end (core/pass/pass_list.h).
+// What is reported of a pass at the end (core/pass/pass_list.h).
 #pragma once
 
 #include <string>

@@ -1,5 +1,5 @@
 // What a running pass has at hand: threads, commits in order, progress, statistics, and the records
-// by which a pass that was cut off is gone on with. Jobs are short, for between two of them the run
+// by which a pass that was cut off is continued. Jobs are short, for between two of them the run
 // is cancelled (PassCancelled, which passes let through).
 // Threads: one calls; each() and in_order() call back from many.
 #pragma once

@@ -20,7 +20,7 @@ namespace {
 
 constexpr double kDark = 1e-5;  ///< a share of a light's power that is not worth a photon
 
-/// What a part of a ring tells: photons, then how many were shot and whether any met the target. Plain, as
+/// What a part of a ring gives: photons, then how many were shot and whether any hit the target. Plain, as
 /// records of a pass are.
 struct Told {
   enum Kind : std::uint32_t { kSurface, kMedia, kShot, kMet };
@@ -154,7 +154,7 @@ class PhotonPass::Shooting {
     return told;
   }
 
-  /// Fills what the thread has caught. True if any met the target.
+  /// Fills what the thread has caught. True if any hit the target.
   bool shoot(const PhotonUnit& unit, const RingPart& part, MediaDraws& draws, Thread& by) {
     by.caught.surface.clear();
     by.caught.media.clear();

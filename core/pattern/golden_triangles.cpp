@@ -7,7 +7,7 @@ namespace {
 
 using Point = GoldenPoint;
 
-/// How many times a triangle can be cut before the numbers are too coarse to tell the parts apart.
+/// How many times a triangle can be cut before the numbers are too coarse to distinguish the parts.
 constexpr int kMostCuts = 140;
 
 /// Half a kite: one angle is the tip and has 36 degrees, the kite's axis goes from it to the tail.

@@ -313,7 +313,7 @@ void PhotonTree::find_in(const PhotonSearch& search, FoundPhotons& found) const 
   const Around from{search.point, kFlattened ? *search.normal : Vec3()};
   const auto measure = m_avx2 ? measure_all_avx2<kFlattened> : measure_all<kFlattened>;
   Nearest nearest(search, found.m_room);
-  // Of what lies beyond none would be taken. On surfaces, which are flat, planes tell nearly as much.
+  // Of what lies beyond none would be taken. On surfaces, which are flat, planes serve nearly as well.
   const auto is_beyond = [&](const Range& range) {
     if (kFlattened || range.box >= m_boxes.size()) return false;
     return !(m_boxes[range.box].gap(from.point) < nearest.limit());

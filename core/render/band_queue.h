@@ -1,5 +1,5 @@
 // The bands of a frame: gives out the jobs of their stages, top band first, and passes finished
-// bands on in that order. A few bands are in memory at a time, so that threads go on with the next band while
+// bands on in that order. A few bands are in memory at a time, so that threads continue with the next band while
 // one of them writes the last. Who finishes a band writes it; who finds no memory free waits.
 // Errors: what the sink throws reaches whoever finished the band; others then get no more jobs.
 // Threads: any number.

@@ -1,5 +1,5 @@
 // The ledger of a picture: what its films have found out so far, kept outside so that a run that is
-// cut off can be gone on with. A film finds something out in stages (FilmBand): without antialiasing
+// cut off can be continued. A film finds something out in stages (FilmBand): without antialiasing
 // the colours of the pixels; with it first one sample of every pixel, then their colours.
 // Pixels of the image; four floats a pixel, which are the film's own.
 #pragma once

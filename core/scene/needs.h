@@ -17,7 +17,7 @@ struct Needs {
   bool transparency = false;         ///< any texture with filter or transmit
   bool transparent_shadows = false;  ///< any shadow caster that is not opaque
   bool shadows_begin_anew =
-      false;                ///< of these any with a shape that does not tell all crossings at once
+      false;                ///< of these any with a shape that does not find all crossings at once
   bool refraction = false;  ///< any interior with ior != 1 that can be seen through
   bool dispersion = false;
   bool interiors = false;

@@ -48,7 +48,7 @@ bool is_opaque(const Leaf& leaf) {
 }
 
 /// Tells whether a leaf is of the last one's kind and shows the same, as most are. Never of meshes:
-/// their faces have looks of their own.
+/// their faces have textures of their own.
 class LikeTheLast {
  public:
   bool operator()(const Leaf& leaf) {

@@ -79,7 +79,7 @@ struct SceneParts {
   std::vector<std::string> not_rendered;     ///< features parsed and kept but not rendered yet
   std::vector<WatchedSlope> slopes;          ///< to report on after rendering
   std::uint64_t picture_bytes = 0;           ///< of pictures that textures hold
-  std::size_t deepest = 1;                   ///< most levels of objects and looks in each other
+  std::size_t deepest = 1;                   ///< most levels of objects and textures in each other
 };
 
 struct CompileOptions {

@@ -11,7 +11,7 @@ Box::Box(const Vec3& corner1, const Vec3& corner2) {
 }
 
 /// Where the ray's line enters and leaves; false if it misses. Written without branches on the
-/// direction's signs. Where sides are met together the lower axis gives the normal.
+/// direction's signs. Where sides are hit together the lower axis gives the normal.
 bool Box::interval(const Ray& ray, ShapeHit& in, ShapeHit& out) const {
   double near[3], far[3], enter = -Bounds::kInf, leave = Bounds::kInf;
   for (int i = 0; i < 3; ++i) {

@@ -9,7 +9,7 @@ namespace lentray::core {
 
 class Cone final : public Shape {
  public:
-  /// Ends must differ (is_degenerate otherwise: nothing meets it). Equal radii are allowed.
+  /// Ends must differ (is_degenerate otherwise: nothing hits it). Equal radii are allowed.
   Cone(const Vec3& base, double base_radius, const Vec3& cap, double cap_radius, bool open = false);
 
   bool is_degenerate() const {

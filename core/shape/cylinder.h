@@ -9,7 +9,7 @@ namespace lentray::core {
 
 class Cylinder final : public Shape {
  public:
-  /// Ends must differ (is_degenerate otherwise: nothing meets it).
+  /// Ends must differ (is_degenerate otherwise: nothing hits it).
   Cylinder(const Vec3& base, const Vec3& cap, double radius, bool open = false);
 
   bool is_degenerate() const { return !(m_length > 0.0) || !(m_radius > 0.0); }

@@ -193,7 +193,7 @@ void JuliaFractal<Map>::crossings(const Ray& ray, Visit&& visit, Anywhere&& anyw
   }
 }
 
-/// A crossing that is too near for the ray hides all others: a Julia set tells a ray no more than its first.
+/// A crossing that is too near for the ray hides all others: a ray finds no more than the first of a Julia set.
 /// A search that goes on where it found one, beyond a clipped hit, gets the next.
 template <class Map>
 bool JuliaFractal<Map>::nearest(const Ray& ray, double t_min, double t_max, ShapeHit& hit) const {

@@ -24,7 +24,7 @@ struct MeshTexture {
 class Mesh final : public Shape {
  public:
   /// Placed copies of one mesh share `triangles`. `is_mesh2` is for the name alone.
-  /// inside_vector: parity of crossings along it tells inside; null vector or none: no solid.
+  /// inside_vector: parity of crossings along it decides inside; null vector or none: no solid.
   Mesh(std::shared_ptr<const TriangleMesh> triangles, std::optional<Vec3> inside_vector,
        bool is_mesh2);
 

@@ -100,7 +100,7 @@ void Ovus::crossings(const Ray& ray, double t_min, double t_max, Visit&& visit) 
   } else if (low > 0.0 || high < 0.0) {
     return;
   }
-  // t_max does not cut: the roots' last bits would tell what else the ray has met.
+  // t_max does not cut: the roots' last bits would depend on what else the ray has hit.
   if (!(lo < hi) || t_max * speed - shift <= lo) return;
   const double k = qq - spindle2 - tube2;
   const double quartic[5] = {1.0, 0.0, 2.0 * (k + 2.0 * spindle2 * d.y * d.y),

@@ -60,7 +60,7 @@ struct alignas(64) PolygonPack {
   std::uint32_t first = 0, count = 0;
   EvenOddLanes edges[kEdges];  ///< empty ones span nothing
 
-  /// False if the polygon has more edges than a lane holds (or nothing meets it).
+  /// False if the polygon has more edges than a lane holds (or nothing hits it).
   static bool fits(const Polygon& polygon);
   void set(int lane, const Polygon& polygon);
 };

@@ -139,7 +139,7 @@ int Poly::crossings(const Ray& ray, double t_min, double t_max, bool first_alone
   const Vec3 d = ray.direction / length_of_unit;
   const double shift = -dot(ray.origin, d);
   const Vec3 p = ray.origin + d * shift;
-  // t_max does not cut: the roots' last bits would tell what else the ray has met.
+  // t_max does not cut: the roots' last bits would depend on what else the ray has hit.
   double from = t_min * length_of_unit - shift, to = std::numeric_limits<double>::infinity();
   if (t_max * length_of_unit - shift <= from || !m_kept.cut({p, d}, from, to)) return 0;
   std::array<double, kMost> c;

@@ -39,7 +39,7 @@ class EvenOdd {
 class Polygon final : public Shape {
  public:
   /// Points as SDL lists them; a point within 1e-10 of a contour's first closes it, an unclosed
-  /// last contour is closed. A degenerate polygon is allowed: nothing meets it. Degenerate:
+  /// last contour is closed. A degenerate polygon is allowed: nothing hits it. Degenerate:
   /// all sides' cross products shorter than 1e-5, or a point out of plane by 1e-10.
   explicit Polygon(std::vector<Vec3> points);
 

@@ -152,7 +152,7 @@ Bounds SphereSweep::box_in(const Transform& t) const {
   return all;
 }
 
-/// The parts tell where roots are looked for, and so what their last bits are: they stay.
+/// The parts decide where roots are looked for, and so what their last bits are: they stay.
 void SphereSweep::sphere_crossings(std::uint32_t index, double u, const Line& line,
                                    ShapeHits& out) const {
   const Vec3 from = line.point - m_pieces[index].centre_at(u);

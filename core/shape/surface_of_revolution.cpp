@@ -104,7 +104,7 @@ void SurfaceOfRevolution::crossings(const Ray& ray, double t_min, const double& 
     const std::uint32_t i = climb < 0.0 ? pieces - 1 - k : k;
     const Piece& p = m_pieces[i];
     if (about.near2 > p.widest2 * (1.0 + kSlack)) continue;
-    // t_max does not cut: the roots' last bits would tell what else the ray has met.
+    // t_max does not cut: the roots' last bits would depend on what else the ray has hit.
     double lo = t_min - shift, hi = Bounds::kInf;
     const double g = o.y - p.low, margin = kSlack * (p.high - p.low);
     if (level) {

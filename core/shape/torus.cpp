@@ -44,7 +44,7 @@ int Torus::crossings(const Ray& ray, double t_min, double t_max, bool first_alon
     return 0;
   }
   lo = std::max(lo, t_min * speed - shift);
-  // t_max does not cut: the roots' last bits would tell what else the ray has met.
+  // t_max does not cut: the roots' last bits would depend on what else the ray has hit.
   if (!(lo < hi) || t_max * speed - shift <= lo) return 0;
 
   const double major2 = m_major * m_major, minor2 = m_minor * m_minor;

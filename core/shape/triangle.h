@@ -8,7 +8,7 @@ namespace lentray::core {
 
 class Triangle final : public TriangleShape {
  public:
-  /// A degenerate one is allowed: nothing meets it.
+  /// A degenerate one is allowed: nothing hits it.
   Triangle(const Vec3& a, const Vec3& b, const Vec3& c);
 
   ShapeTraits traits() const override {

@@ -11,7 +11,7 @@ namespace lentray::core {
 class TriangleShape : public Shape {
  public:
   const std::array<Vec3, 3>& vertices() const { return m_vertices; }
-  bool is_degenerate() const { return m_degenerate; }  ///< nothing meets it
+  bool is_degenerate() const { return m_degenerate; }  ///< nothing hits it
 
   Bounds box(const Transform* move) const override;
   /// ShapeHit::u, v: the weights of b and c.

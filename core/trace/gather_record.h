@@ -1,4 +1,4 @@
-// A gather of a pass as bytes, so that a pass that is cut off is gone on with: what it answered, the samples
+// A gather of a pass as bytes, so that a pass that is cut off is continued: what it answered, the samples
 // that it and the gathers of its rays made, and where all that goes on stands afterwards. Bytes are of this
 // machine's kind. Pure functions.
 #pragma once

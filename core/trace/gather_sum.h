@@ -53,7 +53,7 @@ class GatherSum {
     m_nearest = distance;
     m_to_nearest = direction;
   }
-  /// Things of less importance are met by the first rays alone: each stands for so many.
+  /// Things of less importance are hit by the first rays alone: each stands for so many.
   double rays_for(float importance) const {
     return importance < 1.0f ? m_wanted / (std::floor(importance * (m_wanted - 1.0)) + 1.0) : 1.0;
   }

@@ -1,6 +1,6 @@
 // The interiors that rays travel in, as numbers: equal stacks have equal numbers, so that a ray
 // carries four bytes. Every object has an interior: without an `interior` statement it is a plain
-// one with the ior of the atmosphere, told apart by the object of the source: parts of a union
+// one with the ior of the atmosphere, distinguished by the object of the source: parts of a union
 // share it. One a thread; no allocation once it has grown.
 // Source: reference manual 3.7, "Interior"; the order of nested and overlapping ones is stock's.
 #pragma once

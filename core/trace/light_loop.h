@@ -6,7 +6,7 @@
 // asked in any order, as long as each point is resolved in the order of its lights. Area lights
 // are asked when their turn comes to be resolved: which samples are taken depends on what others
 // have met, and their jitter is drawn in the order of the lights. What is collected of one is the
-// ray to its middle, which tells its axes.
+// ray to its middle, which gives its axes.
 // Source: reference manual 3.7, "Light Source", "Area Lights", "Light Groups".
 #pragma once
 

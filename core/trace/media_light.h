@@ -19,7 +19,7 @@ class MediaLight {
  public:
   MediaLight(ThreadContext& context, ShadowTester& shadows);
 
-  /// In the interiors that the ray lies in, up to a surface of those looks.
+  /// In the interiors that the ray lies in, up to a surface of that material.
   void pass_interiors(const RayState& state, double length, int level, const Attributes& looks,
                       Radiance& light);
   /// In the air. `looks`: of the surface that the ray meets; null: the sky.

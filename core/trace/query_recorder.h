@@ -21,7 +21,7 @@ struct RecordedQuery {
 struct GatherRecord {
   GatheredRay seen;
   std::vector<RecordedQuery> queries;
-  bool is_whole = true;  ///< false: the shares do not tell all
+  bool is_whole = true;  ///< false: the shares are not all
 };
 
 class QueryRecorder final : public IndirectLight {

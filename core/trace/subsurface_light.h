@@ -2,7 +2,7 @@
 // or never. World space; colours linear. One a thread.
 //
 // Many times: from a point below the surface, directions all around find places of the same solid where light
-// enters; the dipole tells what of it leaves here. Once: places along the refracted ray are lit through the
+// enters; the dipole says what of it leaves here. Once: places along the refracted ray are lit through the
 // surface, straight. Never: the refracted ray goes on; that one is left to whoever follows rays.
 // Source: reference manual 3.7, "Subsurface Light Transport"; Jensen, Marschner, Levoy, Hanrahan: "A Practical
 // Model for Subsurface Light Transport", SIGGRAPH 2001; what is sampled and how it is weighed gives stock's

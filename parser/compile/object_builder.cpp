@@ -46,7 +46,7 @@ std::optional<bool> shared_hollow(const ObjectDesc& object, std::optional<bool> 
   return std::nullopt;
 }
 
-/// What a part says itself, over what it has from the objects around it: those tell first.
+/// What a part says itself, over what it has from the objects around it: those count first.
 void take_photons(const PhotonFlags& own, core::PassFlags& flags) {
   const bool is_refracting_target =
       flags.photon_target > 0.0 && flags.photon_refraction.value_or(false);
@@ -154,7 +154,7 @@ ObjectBuilder::Inherited ObjectBuilder::resolve(const ObjectDesc& object,
   if (rare.interior || (object.texture && !from.interior)) {
     Ref<InteriorDesc> interior = rare.interior;
     if (interior && !interior->media.empty()) interior = transformed(interior, outer);
-    // Every object that has one has its own: stock tells nested objects apart by it.
+    // Every object that has one has its own: stock distinguishes nested objects by it.
     if (const auto made = m_textures->interior(interior, looks.texture)) {
       m_parts->interiors.push_back(std::make_shared<const core::Interior>(*made));
       looks.interior = m_parts->interiors.back().get();

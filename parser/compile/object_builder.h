@@ -1,4 +1,4 @@
-// Object descriptions -> objects of the kernel, in world space, looks inherited through CSG.
+// Object descriptions -> objects of the kernel, in world space, materials inherited through CSG.
 // One builder a scene, one thread. Source: reference manual 3.7, "Object Modifiers"; the rules of
 // inheritance measured on stock (tests/unit/build_objects_test.cpp).
 #pragma once
@@ -28,7 +28,7 @@ class LightScope;
 
 class ObjectBuilder {
  public:
-  /// Objects with looks: textures and interiors go to `parts`, lights and the objects that lights
+  /// Objects with materials: textures and interiors go to `parts`, lights and the objects that lights
   /// look like too.
   ObjectBuilder(core::SceneParts& parts, TextureCompiler& textures, NotYet& not_yet);
   /// Geometry alone: attributes stay empty, lights are left out.

@@ -1,4 +1,4 @@
-// Descriptions of looks -> what the kernel evaluates. One compiler a scene; the same Ref gives the
+// Descriptions of materials -> what the kernel evaluates. One compiler a scene; the same Ref gives the
 // same compiled object. Not thread-safe; what it makes is immutable and shared by all threads.
 #pragma once
 

@@ -76,7 +76,7 @@ struct ObjectDesc {
   bool reopened = false;  ///< went through the braces of object {}
   bool copied = false;    ///< made from an identifier: of use to nested light groups
 
-  Nesting nesting;  ///< objects and looks in it
+  Nesting nesting;  ///< objects and textures in it
 
   mutable CompiledSlot compiled;
 

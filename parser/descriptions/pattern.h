@@ -1,6 +1,6 @@
 // A pattern with its modifiers as written, shared by pigments, normals, textures and densities.
 // `placement` keeps warps, turbulence and transforms from the pattern outwards: a point of the world
-// goes through it backwards, last entry first, before the pattern looks at it. Statements append to
+// goes through it backwards, last entry first, before the pattern reads it. Statements append to
 // it in the order of the text, except turbulence outside a warp, which is one entry in front, wherever
 // it was written (measured on stock: `scale 2 turbulence 1` is `turbulence 1 scale 2`).
 // Source: reference manual 3.7, "Patterns", "Pattern Modifiers", "Warps".

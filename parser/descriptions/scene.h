@@ -31,7 +31,7 @@ struct SceneDesc {
   std::optional<SkySphereDesc> sky_sphere;
   std::vector<Ref<MediaDesc>> atmosphere_media;
   double atmosphere_ior = 1.0;
-  std::size_t deepest = 1;     ///< most levels of objects and looks in each other, used or not
+  std::size_t deepest = 1;     ///< most levels of objects and textures in each other, used or not
   int language_version = 370;  ///< x 100, at the end of the text; 362 if it has no #version
 };
 

@@ -2,7 +2,7 @@
 
 namespace lentray::parser {
 
-// Switches without a default: the compiler tells which kind has no name yet.
+// Switches without a default: the compiler says which kind has no name yet.
 
 const char* name_of(CameraKind kind) { return camera_kind_name(kind); }
 const char* name_of(PatternKind kind) { return pattern_name(kind); }

@@ -1,5 +1,5 @@
 // Files of the disk by what was opened, not by name: a name can mean another file a moment later.
-// POSIX, and Linux's /proc. Errors: an empty Descriptor, nullopt; errno tells. Any thread.
+// POSIX, and Linux's /proc. Errors: an empty Descriptor, nullopt; errno says. Any thread.
 #pragma once
 
 #include <sys/stat.h>

@@ -1,4 +1,4 @@
-// Productions of everything that gives an object its looks. Each parse_* is called with its keyword
+// Productions of everything that gives an object its material. Each parse_* is called with its keyword
 // consumed and reads the whole block, braces included; all throw ParseError through Parser::fail.
 // Source: reference manual 3.7, "Texture" and below.
 #pragma once
@@ -13,7 +13,7 @@
 
 namespace lentray::parser {
 
-/// What the productions of looks need to know of the scene. One a parse; owned by the productions.
+/// What the productions of materials need to know of the scene. One a parse; owned by the productions.
 struct MaterialContext {
   MaterialContext() : default_texture(standard_texture()) {}
   Ref<TextureDesc> default_texture;  ///< changed by #default
@@ -48,7 +48,7 @@ Ref<DensityMapDesc> parse_density_map(Parser& parser, MaterialContext& context);
 /// colour with filter and transmit) or 1.
 Ref<FunctionDesc> parse_pattern_function(Parser& parser, MaterialContext& context);
 
-/// The looks of an object as its modifiers build them up.
+/// The material of an object as its modifiers build them up.
 struct Looks {
   Ref<TextureDesc> texture, interior_texture;
   Ref<InteriorDesc> interior;

@@ -1,4 +1,4 @@
-// What descriptions hold, counted, and where that ends: looks and objects that are named and used
+// What descriptions hold, counted, and where that ends: textures and objects that are named and used
 // again nest without a brace in the text that would show it.
 #pragma once
 

@@ -174,7 +174,7 @@ ShapeDesc parse_ovus(Parser& parser, Context&) {
 
 ShapeDesc parse_superellipsoid(Parser& parser, Context&) {
   const Vec2 v = parse_uv(parser);
-  // Stock takes the exponents as they are; the smallest that it tells from 0.
+  // Stock takes the exponents as they are; the smallest that it distinguishes from 0.
   return SuperellipsoidShape{std::max(v.u, kLeastExponent), std::max(v.v, kLeastExponent)};
 }
 

@@ -1,5 +1,5 @@
 // The part that pigment, normal, texture and density statements share: one pattern, then its
-// modifiers. Internal to the grammar of looks.
+// modifiers. Internal to the grammar of materials.
 // Source: reference manual 3.7, "Patterns"; which words go together: measured on stock.
 #pragma once
 

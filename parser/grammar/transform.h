@@ -1,4 +1,4 @@
-// Transforms of descriptions: an object takes its looks, clips and bounds along, as in stock.
+// Transforms of descriptions: an object takes its material, clips and bounds along, as in stock.
 #pragma once
 
 #include "core/base/transform.h"
@@ -8,7 +8,7 @@ namespace lentray::parser {
 
 class Parser;
 
-/// Moves everything the object has been given so far: shape, looks, interior, clips, bounds.
+/// Moves everything the object has been given so far: shape, textures, interior, clips, bounds.
 /// Textures stay where uv_mapping holds them to the surface.
 void apply_transform(ObjectDesc& object, const core::Transform& transform);
 

@@ -111,7 +111,7 @@ double Expressions::array_dimension(bool size) {
   return result;
 }
 
-// What to go on with, if at all.
+// What to continue with, if at all.
 double Expressions::outside_domain(Keyword function, double x, const Location& where) {
   const std::string name(spelling(function));
   if (function == Keyword::kAcos || function == Keyword::kAsin) {

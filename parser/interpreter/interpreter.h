@@ -101,7 +101,7 @@ struct Interpreter {
   /// Fails if no file can have this name.
   void check_file_name(const std::string& name, const Location& where);
 
-  std::size_t most_levels = 0;  ///< of objects and looks in each other
+  std::size_t most_levels = 0;  ///< of objects and textures in each other
   std::size_t deepest = 1;      ///< of them that were read
 
   /// Defines what every scene finds declared, and the Declare= options.

@@ -53,7 +53,7 @@ void RawExpressions::undo_random(std::size_t kept) {
   }
 }
 
-// A directive or a macro might go on with the expression; so might what follows the file or macro.
+// A directive or a macro might belong to the expression; so might what follows the file or macro.
 bool RawExpressions::ends_here() const {
   if (m_at->passive) return true;
   if (m_at->kind != TokenKind::kIdentifier) return false;

@@ -43,7 +43,7 @@ struct IniSection {
 /// The lines of a section in a text. `file` is for messages.
 IniSection ini_lines(std::string_view text, const std::string& file, const IniName& name);
 
-/// The same of a file. As in stock, a section that is not there is no error; a warning tells of it.
+/// The same of a file. As in stock, a section that is not there is no error; a warning names it.
 IniSection read_ini(const std::string& path, const IniName& name,
                     std::vector<std::string>& warnings);
 

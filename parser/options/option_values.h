@@ -26,7 +26,7 @@ bool truth(RenderOptions& options, const GivenOption& given);  ///< of a switch:
 std::int64_t whole_number(const GivenOption& given, std::int64_t least, std::int64_t most);
 double number(const GivenOption& given);
 /// As stock reads the numbers of its own options: what follows the number is dropped, a whole number
-/// loses its fraction, and what is too small or large is cut to the range. A warning tells of all but
+/// loses its fraction, and what is too small or large is cut to the range. A warning names all but
 /// the fraction.
 std::int64_t cut_whole(RenderOptions& options, const GivenOption& given, std::int64_t least,
                        std::int64_t most);

@@ -201,7 +201,7 @@ void OptionsReader::bare(const std::string& text, const GivenOption& given, int 
                     (name.has_label ? "" : " and no scene of that name"));
 }
 
-/// The file that `--name FILE` or `--name=FILE` tells.
+/// The file that `--name FILE` or `--name=FILE` gives.
 std::string file_of(std::span<const std::string> arguments, std::size_t& at,
                     const std::string& name) {
   const std::size_t equals = arguments[at].find('=');

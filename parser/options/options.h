@@ -70,7 +70,7 @@ struct RenderOptions {
       true;  ///< Display_Gamma=sRGB: what files of scenes without gamma are taken for
   double display_gamma = 2.2;  ///< unless display_srgb
   bool alpha = false;
-  bool continues = false;  ///< +C: a picture that was cut off is gone on with
+  bool continues = false;  ///< +C: a picture that was cut off is continued
   /// Columns and rows that are rendered, both ends included, from 1; what is below 1 is a part of the
   /// width or height.
   std::optional<double> start_column, end_column, start_row, end_row;
@@ -182,7 +182,7 @@ std::string frame_path(const RenderOptions& options, const std::string& path);
 /// Where the picture goes: stock's rules (no name: the scene's, beside the scene, but with
 /// Restrict_IO in the current folder; a folder, ending
 /// with / : the scene's name there; the type's extension is added unless it is there, letter case
-/// told apart), except that .tif, .tiff and .exr choose the type when no option did.
+/// distinguished), except that .tif, .tiff and .exr choose the type when no option did.
 /// "-": standard output. Sets `type` to what the file will be.
 std::string output_path(const RenderOptions& options, core::FileType& type);
 

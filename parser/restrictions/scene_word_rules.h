@@ -17,7 +17,7 @@ UsersFolders users_folders(const RenderOptions& options, const std::string& scen
 /// Throws if a word of the scene's INI file, or the picture's usual place, is against the rules. Of a frame: its files.
 void judge_scene_words(const RenderOptions& options, const FileRules& rules);
 
-/// With Scene_Writes=memory nothing that the scene's INI file names is written: a warning tells of it.
+/// With Scene_Writes=memory nothing that the scene's INI file names is written: a warning names it.
 void drop_scene_writes(RenderOptions& options);
 
 }  // namespace lentray::parser

@@ -1,4 +1,4 @@
-// The geometry of a description's shape alone, as objects of the kernel without looks.
+// The geometry of a description's shape alone, as objects of the kernel without materials.
 #pragma once
 
 #include <memory>
@@ -25,7 +25,7 @@ std::vector<std::unique_ptr<core::Object>> text_glyphs(TextLayout& fonts, const 
 /// Throws BuildError at `where`.
 core::Bounds text_box(const TextShape& text, const Location& where);
 
-/// In the space of its statement: without looks, clips and bounds, and not moved. Null if there is no
+/// In the space of its statement: without material, clips and bounds, and not moved. Null if there is no
 /// geometry (CSG, lights, texts) or none is rendered yet, for which `is_whole` becomes false. Throws
 /// BuildError.
 std::unique_ptr<core::Object> shape_geometry(const ObjectDesc& object, bool& is_whole);

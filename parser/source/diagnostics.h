@@ -75,7 +75,7 @@ class Diagnostics {
   }
 
   /// The same warning at the same place (in a loop, a macro) is given once, and at eight places at
-  /// most; report_repeats() tells how many more there are (and forgets them).
+  /// most; report_repeats() gives how many more there are (and forgets them).
   void warn(const Location& where, const std::string& message, std::vector<StackEntry> stack = {});
   /// Whether it has been given: then its stack need not be made.
   bool has_warned(const Location& where, const std::string& message) const;

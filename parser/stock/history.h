@@ -25,11 +25,11 @@ struct TransformStep {
 };
 TransformStep step_of(TransformKind kind, const core::Transform& transform);
 
-/// To be told of each step before it is added to the object's transform. `since`: what came in between and is not
+/// To be called for each step before it is added to the object's transform. `since`: what came in between and is not
 /// yet in that. Triangles in the object change at once (triangle_steps.h).
 void note_step(ObjectDesc& object, const core::Transform& since, const TransformStep& step);
 
-/// To be told of a `clipped_by` once the object has it.
+/// To be called for a `clipped_by` once the object has it.
 void note_clips(ObjectDesc& object);
 
 }  // namespace lentray::parser

@@ -30,7 +30,7 @@ class PhotoReader {
   core::StoredImage read(const std::filesystem::path& path);
   /// For whoever looks at the pictures besides.
   void warn(const std::string& text);
-  /// What a user should be told, each once.
+  /// What a user should know, each once.
   const std::vector<std::string>& warnings() const { return m_warnings; }
 
  private:

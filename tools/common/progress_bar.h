@@ -1,4 +1,4 @@
-// Progress on standard error: a bar on a terminal, a line every twentieth otherwise. Both tell the
+// Progress on standard error: a bar on a terminal, a line every twentieth otherwise. Both show the
 // time left.
 #pragma once
 

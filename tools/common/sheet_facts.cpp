@@ -11,7 +11,7 @@ namespace {
 constexpr std::string_view kPrefix = "lentray:";
 constexpr double kMmAnInch = 25.4;
 
-/// What it was rendered with; 0: nothing tells.
+/// What it was rendered with; 0: unknown.
 double rows_told(const Facts& facts) {
   return std::round(number_of(facts, "lens.print_height_mm") *
                     number_of(facts, "lens.print_dpi_y") / kMmAnInch);

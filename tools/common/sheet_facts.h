@@ -17,7 +17,7 @@ Facts facts_of(const core::StoredImage& image);
 double number_of(const Facts& facts, const std::string& name);
 
 /// Why the strips of an integral image no longer lie behind its lenses: it was made larger or smaller, cut or turned
-/// since it was rendered. Empty: they do, or nothing tells.
+/// since it was rendered. Empty: they do, or it is unknown.
 std::string damage_of(const core::StoredImage& image, const Facts& facts, const std::string& name);
 /// What else of such a picture is no longer what it says: it is not as high as it was. Upright strips survive that.
 std::string height_change_of(const core::StoredImage& image, const Facts& facts,

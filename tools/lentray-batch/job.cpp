@@ -414,7 +414,7 @@ void Job::rendered(const tool::Ended& ended, bool stopped) {
     m_row.verdict->note = "views of Views= are not; their integral image can be";
   }
   publish();
-  if (m_frame) drop_journal();  // that it is finished the row tells
+  if (m_frame) drop_journal();  // that it is finished the row says
   m_has_picture = true;
   read_statistics();
   if (!m_plan.scratch.empty()) fs::rename(run_file("statistics"), kept_file("statistics"));

@@ -1,7 +1,7 @@
 // One picture of a batch: what is to be run for it, and what became of that.
 //
 // A picture is made by a run of lentray, which may make views of the same scene besides
-// (tools/lentray-batch/picture_run.h), or by several, where one is stopped to be gone on with. Then come its views, and
+// (tools/lentray-batch/picture_run.h), or by several, where one is stopped to be continued. Then come its views, and
 // stock's picture beside it. The row is complete when all has been done.
 // Errors: parser::OptionError where the scene's own options cannot be. One thread.
 #pragma once
@@ -76,7 +76,7 @@ class Job {
   /// The run of this picture, and of the views up to `last`. `goes_on`: with what an earlier run kept of one of them.
   tool::Launch render(const Job& last, bool goes_on, int threads, double memory) const;
   bool can_go_on() const;
-  /// That run is about to be started; it comes to this picture; is done with it, and goes on with others.
+  /// That run is about to be started; it comes to this picture; is done with it, and continues with others.
   void prepare(const tool::Launch& launch);
   void begin(int threads);
   bool is_made() const;
@@ -84,7 +84,7 @@ class Job {
   tool::Ended part() const;
   /// The run has read the scene.
   bool is_read() const;
-  /// `stopped`: it was asked to, to be gone on with.
+  /// `stopped`: it was asked to, to be continued.
   void rendered(const tool::Ended& ended, bool stopped);
   /// The run took more memory than it was given, and may be given more.
   bool lacked_memory() const { return m_lacked_memory; }

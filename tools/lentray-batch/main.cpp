@@ -93,7 +93,7 @@ class Batch {
       try {
         write_page(false);
       } catch (const NoPage&) {
-        // The last one tells what is wrong, if it still is.
+        // The last one says what is wrong, if it still is.
       }
     });
     return scheduler.run();

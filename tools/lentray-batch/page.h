@@ -4,7 +4,7 @@
 // Pictures of full size are reached by links relative to the batch's folder, where the page belongs. Times in
 // seconds, sizes in bytes. Small pictures are kept in the folder, in .lentray-batch/thumbnails, by path, size and
 // time of the picture; those that the page does not use are deleted there.
-// Errors: none for pictures that are missing, broken or too large (the card tells) nor for text that is no UTF-8.
+// Errors: none for pictures that are missing, broken or too large (the card says so) nor for text that is no UTF-8.
 // Threads: one page of a folder at a time.
 #pragma once
 

@@ -46,7 +46,7 @@ int tilt_views(const Row& row, const PictureStep& step) {
   return is_integral(row) ? std::min(step.views, static_cast<int>(row.lens_pixels)) : 0;
 }
 
-/// The most that a row's small picture may take, by the size that the row tells.
+/// The most that a row's small picture may take, by the size that the row gives.
 std::size_t picture_bytes(const Row& row, const PictureStep& step) {
   if (step.side == 0) return 0;
   const std::uint32_t width = row.width > 0 ? row.width : step.side,

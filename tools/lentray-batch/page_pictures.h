@@ -1,6 +1,6 @@
 // The small pictures of the page: how large they may be, and they themselves as JPEG in base64.
 //
-// Sizes in bytes and pixels. Errors: none; a picture that cannot be made tells why. Threads: one page of a folder
+// Sizes in bytes and pixels. Errors: none; a picture that cannot be made says why. Threads: one page of a folder
 // at a time.
 #pragma once
 

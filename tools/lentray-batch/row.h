@@ -14,7 +14,7 @@
 
 namespace lentray::batch {
 
-/// done: the picture is there. failed: there is none, and `reason` tells why. skipped: none was asked for.
+/// done: the picture is there. failed: there is none, and `reason` says why. skipped: none was asked for.
 enum class State { done, failed, skipped };
 std::string_view name_of(State state);
 
@@ -37,7 +37,7 @@ struct Verdict {
   double block_rms = 0.0, bias = 0.0;           ///< of 16 x 16 means, in 1/255
   std::optional<double> noise_rms, noise_bias;  ///< of stock's own pictures, where they count
   double stock_cpu = 0.0, stock_wall = 0.0;
-  double noise_cpu = 0.0;  ///< of the pictures that tell its noise, besides
+  double noise_cpu = 0.0;  ///< of the pictures that give its noise, besides
   std::string stock,
       difference;  ///< pictures; the difference is scaled as tools/lentray-diff/report.h says
   /// Of an integral image: how many lenses and views have each grade.

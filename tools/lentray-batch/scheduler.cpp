@@ -269,7 +269,7 @@ void Scheduler::reap() {
   }
 }
 
-/// What runs is asked to stop, and keeps what it has: the next batch goes on with it.
+/// What runs is asked to stop, and keeps what it has: the next batch continues it.
 void Scheduler::stop_all() {
   for (Running& running : m_running) running.child->ask_to_stop();
   const auto until = Clock::now() + std::chrono::milliseconds(1500);

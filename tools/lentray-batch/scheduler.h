@@ -1,7 +1,7 @@
 // Runs the jobs of a batch within the machine's processors and memory.
 //
 // Every picture begins small: its share of the processors, one where there are more pictures than these. One that takes
-// longer than kSmall seconds, or more memory than its share, is stopped and gone on with when the small ones are done:
+// longer than kSmall seconds, or more memory than its share, is stopped and continued when the small ones are done:
 // alone, with all processors and the whole memory that a scene may take. Pictures of the views of a scene (Views=) are
 // made by one run; where it fails, the picture that it was at fails, and the others are tried in another run. Views of
 // --views and comparisons take a processor each. Rows are handed on as pictures are finished. Pictures run side by side
@@ -42,7 +42,7 @@ class Scheduler {
     int threads;
     std::unique_ptr<tool::Child> child;
     bool is_asked = false;     ///< to stop
-    bool is_set_back = false;  ///< to be gone on with later
+    bool is_set_back = false;  ///< to be continued later
     std::string over{};        ///< why it is ended for good
     double asked_at = 0.0;     ///< seconds after its start
     bool had_company = false;  ///< others ran at the same time

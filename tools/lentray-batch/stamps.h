@@ -14,7 +14,7 @@ std::optional<FileStamp> stamp_of(const std::filesystem::path& path);
 /// Of a file that had this checksum when a run read it, which began at `since` (ns since 1970): what changed meanwhile
 /// counts as changed.
 FileStamp stamp_read(const std::filesystem::path& path, std::uint64_t sum, std::int64_t since);
-/// Size and time tell; where they differ, the checksum.
+/// Size and time decide; where they differ, the checksum.
 bool is_as_it_was(const std::filesystem::path& path, const FileStamp& stamp);
 
 /// Now, ns since 1970, by the clock of the file system's times.

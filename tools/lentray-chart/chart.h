@@ -83,7 +83,7 @@ struct Reference {
   double change = 0.0;    ///< rms, 1/255: from the picture with half of its samples
   double cpu_s = 0.0;
   std::vector<std::pair<std::string, double>> steps{};  ///< every step tried: what, and its change
-  bool is_converged = false;  ///< change below a tenth of the smallest error that is told apart
+  bool is_converged = false;  ///< change below a tenth of the smallest error that is distinguished
 };
 
 struct Chart {

@@ -16,7 +16,7 @@ namespace {
 
 /// Colours of the scripts; the page has its own in their places.
 constexpr unsigned kText = 0x101112, kQuiet = 0x595a5b, kGrid = 0xe3e4e5, kBand = 0xe9eaeb;
-constexpr double kLeastSeconds = 0.001;  ///< what clocks tell apart
+constexpr double kLeastSeconds = 0.001;  ///< what clocks distinguish
 
 struct KindLook {
   int filled, hollow;  ///< gnuplot's point types
@@ -231,7 +231,7 @@ std::string label_of(const Setting& setting) {
   return text.size() <= kMost ? text : text.substr(0, kMost - 2) + "..";
 }
 
-/// The ends first, then what halves what is left: few labels tell of the whole front.
+/// The ends first, then what halves what is left: few labels show the whole front.
 std::vector<LabelWish> spread(const std::vector<LabelWish>& wishes) {
   if (wishes.size() < 3) return wishes;
   std::vector<LabelWish> out{wishes.front(), wishes.back()};

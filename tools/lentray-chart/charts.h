@@ -1,7 +1,7 @@
 // Charts of speed against accuracy: error over processor time, both logarithmic, and beside it the times of the
 // settings that leave the picture as it is.
 //
-// A kind has a symbol and a colour; a setting whose error is not told apart from the reference's own change is hollow,
+// A kind has a symbol and a colour; a setting whose error is not distinguished from the reference's own change is hollow,
 // in a band below ten times that change. An error of 0 stands at the foot of the axis, marked 0. Bars are the spread
 // of times. The front is the least error that a time gets. Lens models have a chart of their own, as they have a
 // reference of their own.

@@ -230,7 +230,7 @@ class Charting {
     try {
       tool::write_whole(m_folder.file("chart.svg"), chart_svg(chart()));
       tool::write_whole(m_folder.file("chart.png"), chart_png(chart()));
-    } catch (const std::runtime_error& error) {  // no gnuplot: the page tells it as well
+    } catch (const std::runtime_error& error) {  // no gnuplot: the page says it as well
       m_progress.say(std::string("lentray-chart: no chart.svg and chart.png: ") + error.what());
     }
     for (const std::string& line : broken_promises(chart())) {

@@ -5,7 +5,7 @@
 // Pictures of full size are reached by links relative to the chart's folder, where the page belongs. Times in seconds
 // of processor time, sizes in bytes. Small pictures are kept in the folder, in .lentray-chart/thumbnails, by path, size
 // and time of the picture; those that the page does not use are deleted there.
-// Errors: none for pictures that are missing, broken or too large nor without gnuplot (the page tells), nor for text
+// Errors: none for pictures that are missing, broken or too large nor without gnuplot (the page says so), nor for text
 // that is no UTF-8. Threads: one page of a folder at a time.
 #pragma once
 

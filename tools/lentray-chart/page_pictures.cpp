@@ -14,7 +14,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Longer sides, from what large screens show to what still tells anything.
+/// Longer sides, from what large screens show to what still shows anything.
 constexpr std::uint32_t kSides[] = {2048, 1600, 1280, 1024, 800, 640, 480,
                                     360,  280,  200,  140,  96,  64};
 constexpr int kBestQuality = 95;  ///< errors of 1/255 are looked for

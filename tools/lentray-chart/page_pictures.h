@@ -1,6 +1,6 @@
 // The small pictures of a chart's page: each file once, as JPEG in base64, all within the room that there is.
 //
-// Sizes in bytes and pixels. Errors: none; a picture that cannot be made tells why. Threads: one page of a folder at a
+// Sizes in bytes and pixels. Errors: none; a picture that cannot be made says why. Threads: one page of a folder at a
 // time.
 #pragma once
 

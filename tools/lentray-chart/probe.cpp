@@ -30,7 +30,7 @@ FilesRead files_in(const fs::path& dependencies) {
   return files;
 }
 
-/// Small pictures of the scene, which tell what an option changes.
+/// Small pictures of the scene, which show what an option changes.
 class SmallPictures {
  public:
   explicit SmallPictures(const Session& session) : m_session(session) {
@@ -86,7 +86,7 @@ void look_at_pictures(Session& session) {
   SceneFacts& facts = session.state.facts;
   const SmallPictures small(session);
   const auto own = small.picture({});
-  if (!own) return;  // the plain setting will tell why
+  if (!own) return;  // the plain setting will say why
   const json statistics = small.statistics();
   if (statistics.contains("lens")) facts.lens_model = statistics.at("lens").value("model", "");
   const auto rays = [](const json& s) {

@@ -1,4 +1,4 @@
-// Finds out what a scene uses: by lentray --explain, and by small pictures where only a picture tells.
+// Finds out what a scene uses: by lentray --explain, and by small pictures where only a picture shows it.
 // Errors: std::runtime_error with what lentray said of a scene that it cannot read. One thread.
 #pragma once
 

@@ -21,7 +21,7 @@ struct ReferenceStep {
 std::optional<ReferenceStep> reference_step(const MatrixRequest& request, int step,
                                             bool of_lens_models);
 
-/// Errors below this need not be told apart: a third of what rounding to 8 bits makes. 1/255
+/// Errors below this need not be distinguished: a third of what rounding to 8 bits makes. 1/255
 inline constexpr double kSmallestError = 0.1;
 
 /// Whether a reference that changed by `change` is good for errors down to `smallest` (both rms, 1/255).

@@ -7,7 +7,7 @@
 
 namespace lentray::chart {
 
-/// A row a setting; docs/accuracy.md tells the columns.
+/// A row a setting; docs/accuracy.md gives the columns.
 std::string csv_of(const Chart& chart);
 
 /// The settings on the front, the fastest first; lens models below them.

@@ -1,4 +1,4 @@
-// What antialiasing a picture is asked for, and the options that tell both renderers so.
+// What antialiasing a picture is asked for, and the options that make both renderers do so.
 // Source: reference manual 3.7, "Antialiasing Options". Pure.
 #pragma once
 

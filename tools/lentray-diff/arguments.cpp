@@ -218,7 +218,7 @@ class Parsing {
   void on_ini(const std::string& text, int depth) {
     if (depth > 10) throw OptionError("'" + text + "' includes itself");
     const parser::IniName name = parser::ini_name(text);
-    std::vector<std::string> warnings;  // lentray's own run tells them
+    std::vector<std::string> warnings;  // lentray's own run reports them
     for (const parser::IniLine& line : parser::read_ini(name.file, name, warnings).lines) {
       switch (line.kind) {
         case parser::IniLine::Kind::kOption:

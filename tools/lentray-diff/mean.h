@@ -29,7 +29,7 @@ struct ColourSpaces {
   bool alpha = false;       ///< the file has alpha, by which its colours are not multiplied
 };
 
-/// From lentray's statistics and options. Throws std::runtime_error if they do not tell.
+/// From lentray's statistics and options. Throws std::runtime_error if they do not say.
 ColourSpaces colour_spaces_of(const nlohmann::json& statistics,
                               const parser::RenderOptions& options);
 

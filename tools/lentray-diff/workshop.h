@@ -48,7 +48,7 @@ class Workshop {
       m_folder;  ///< the scene and its folder, by names that stock can read
 };
 
-/// The output's lines that tell what went wrong.
+/// The output's lines that say what went wrong.
 std::string last_words(const std::string& output);
 
 }  // namespace lentray::diff

@@ -28,7 +28,7 @@ Way best_way(const Sheet& sheet);
 std::string version_directive(const std::string& scene);
 
 /// A scene that stock can read: cameras of the kind `lenticular`, which it does not know, become
-/// orthographic ones. Lines keep their numbers. `changed` tells if there were any.
+/// orthographic ones. Lines keep their numbers. `changed` says if there were any.
 std::string without_lenticular(const std::string& scene, bool& changed);
 
 /// Files that a scene includes by a plain string, in order, as written; conditions are ignored.

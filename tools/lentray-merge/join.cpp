@@ -63,7 +63,7 @@ class Joiner {
   }
 
  private:
-  /// Where all parts tell their rows, what is missing is known before anything is read.
+  /// Where all parts give their rows, what is missing is known before anything is read.
   void check_rows() {
     std::vector<Rows> all;
     for (const Part& part : m_parts) {

@@ -16,7 +16,7 @@ struct GivenLensData {
   std::optional<double> dpi_x, dpi_y;
 };
 
-/// The lens itself, of which only lentray's own files tell.
+/// The lens itself, of which only lentray's own files say anything.
 struct LensOfPicture {
   double pitch = 0.0, focal_length = 0.0, ior = 1.0;
   double view_distance = 0.0;  ///< 0: infinite
@@ -37,7 +37,7 @@ struct LensData {
   double print_lpi() const;
 };
 
-/// The lenses' slant in degrees as the file tells it; 0: upright, or it does not tell.
+/// The lenses' slant in degrees as the file gives it; 0: upright, or it does not say.
 double slant_in(const core::StoredImage& image);
 
 /// `name`: the file's, for messages. Refuses single views, pictures that were resized or cropped after they were

@@ -35,7 +35,7 @@ void check_pixels(const Page& page, const fs::path& path) {
                          " pixels a side is too large; 300000 are possible");
 }
 
-/// PNG tells whole pixels a metre: what that changes of the page, in mm.
+/// PNG gives whole pixels a metre: what that changes of the page, in mm.
 double png_error(double length, double dpi) {
   const double metric = dpi / kInch * 1000.0;
   return std::fabs(length * (metric / std::round(metric) - 1.0));

@@ -22,7 +22,7 @@ core::StoredImage turned(core::StoredImage image);
 core::StoredImage as_printed(core::StoredImage image, int bits, Colour background);
 
 /// The columns of an integral image that stand for columns `first` .. `first + count - 1`, which may lie beyond its
-/// edges: there each view goes on with its outermost pixel, the one at the same place behind the nearest lens.
+/// edges: there each view continues with its outermost pixel, the one at the same place behind the nearest lens.
 /// `width`: the image's columns, whole lenses.
 std::vector<std::uint32_t> continued_columns(std::int64_t first, std::uint32_t count,
                                              std::uint32_t width, const core::LensColumns& lenses);

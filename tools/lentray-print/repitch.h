@@ -27,7 +27,7 @@ struct Repitched {
 Repitched repitched(const core::StoredImage& image, double from, const core::LensColumns& to);
 
 /// The options of lentray that render a picture of `width` x `height` pixels whose strips have that pitch, for the lens
-/// that the data tell of; empty if they tell of none. `lenses`: of the picture, the cut one by its share.
+/// that the data name; empty if they name none. `lenses`: of the picture, the cut one by its share.
 std::string render_options(const LensData& data, double print_pitch, double lenses,
                            std::uint32_t height);
 

@@ -21,7 +21,7 @@ struct TestPaper {
   double dpi_down() const { return dpi_along > 0.0 ? dpi_along : dpi; }
 };
 
-/// As many decimals as tell all of them apart and give them exactly; the values are rounded to these (4 at most).
+/// As many decimals as distinguish all of them and give them exactly; the values are rounded to these (4 at most).
 int round_to_labels(std::vector<double>& values);
 /// nominal - span .. nominal + span, the nominal one among them.
 std::vector<double> series(double nominal, double span, double step);

@@ -1,5 +1,5 @@
 // A sheet that is larger than the paper, cut into pages that overlap. Each page has a window of the whole, pixel for
-// pixel; ticks outside of it tell where to cut, between two lenses.
+// pixel; ticks outside of it show where to cut, between two lenses.
 // Units: mm, or pixels of the whole page's grid. Errors: PageError, worded for the user. Pure.
 #pragma once
 

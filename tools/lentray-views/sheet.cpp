@@ -70,7 +70,7 @@ void refuse_other_pictures(const Facts& facts, const std::string& about) {
   }
 }
 
-/// Who tells the pixels a lens knows what became of the picture.
+/// Whoever gives the pixels a lens knows what became of the picture.
 void refuse_damaged(const core::StoredImage& image, const Facts& facts, const SheetOptions& options,
                     const std::string& name) {
   if (options.pixels) return;
@@ -86,7 +86,7 @@ std::optional<camera::SlantedSheet> slanted_sheet(const LensParameters& lens, st
                                                   std::uint32_t rows, double aspect,
                                                   double eye_slope_x, double eye_slope_y) {
   if (lens.slant == 0.0) return std::nullopt;
-  // Of a sheet of which nobody tells how high it is, pixels are square.
+  // Of a sheet of unknown height, pixels are square.
   const double width = camera::LensSheet(lens, columns).sheet_width();
   const double height = aspect > 0.0 ? width / aspect : width * rows / columns;
   return camera::SlantedSheet(lens, {columns, rows, height, eye_slope_x, eye_slope_y});

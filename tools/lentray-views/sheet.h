@@ -21,7 +21,7 @@ struct SheetOptions {
 
 struct Sheet {
   camera::LensSheet lenses;
-  std::string missing;  ///< of the optics, as options that would tell; empty: all is known
+  std::string missing;  ///< of the optics, as the options that would say it; empty: all is known
   double aspect = 0.0;  ///< width of the sheet by its height; 0: unknown
   std::optional<camera::SlantedSheet> slanted{};  ///< where its lenses are
 };
@@ -34,7 +34,7 @@ std::optional<camera::SlantedSheet> slanted_sheet(const camera::LensParameters& 
                                                   double eye_slope_y = 0.0);
 
 /// `name` is the file's, for messages. Throws where N is not known, is beyond the picture's width,
-/// or where the picture is a view or a quilt by its own words, or was resized or cropped and no option tells N.
+/// or where the picture is a view or a quilt by its own words, or was resized or cropped and no option gives N.
 Sheet sheet_of(const core::StoredImage& image, const SheetOptions& options,
                const std::string& name);
 

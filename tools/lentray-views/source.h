@@ -27,7 +27,7 @@ class Source {
   virtual double aspect() const = 0;
   /// What is known of the sheet.
   virtual const Facts& facts() const = 0;
-  /// What a user should be told of what was asked for.
+  /// What a user should know of what was asked for.
   virtual std::vector<std::string> warnings() const { return {}; }
 };
 

@@ -105,7 +105,7 @@ bool called_as_povray(const std::filesystem::path& program) {
   return program.filename().string().starts_with("povray");
 }
 
-/// Stock tells of itself on standard error, and callers look for "POV-Ray 3.7" there.
+/// Stock reports of itself on standard error, and callers look for "POV-Ray 3.7" there.
 void tell(const parser::RenderOptions& options, bool as_povray) {
   std::FILE* const out = as_povray ? stderr : stdout;
   if (options.help) {
@@ -128,7 +128,7 @@ int render(const parser::RenderOptions& options, tool::RunGuard& guard, Output& 
     try {
       return tool::run(options, guard.asked(), *out.form, warnings);
     } catch (...) {
-      // Warnings first: they often tell what the error is about.
+      // Warnings first: they often say what the error is about.
       warnings.say();
       throw;
     }
@@ -195,7 +195,7 @@ int main(int argc, char** argv) {
   tool::hold_standard_streams();
   keep_memory();
   int status = tool::kInternalError;
-  // Scenes nest objects, looks and expressions in each other as deep as they like.
+  // Scenes nest objects, textures and expressions in each other as deep as they like.
   core::run_on_deep_stack([&] { status = run_main(argc, argv); });
   return tool::finish_standard_output("lentray", status);
 }

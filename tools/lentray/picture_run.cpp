@@ -349,7 +349,7 @@ void write_statistics(const Run& run, const Session& session) {
   write_text_file(parser::frame_path(o, o.statistics_file), json_text(std::move(all), 2) + "\n");
 }
 
-/// What a run tells instead of a picture; nothing: it is to make one.
+/// What a run prints instead of a picture; nothing: it is to make one.
 std::optional<Status> tell(Run& run, Session& session, const std::atomic<bool>& cancel) {
   const RenderOptions& o = run.options;
   if (o.explain) {

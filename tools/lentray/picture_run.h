@@ -31,7 +31,7 @@ struct Picture {
   std::function<void()> is_read{};    ///< called when all that the scene reads is known
 };
 
-/// Whether a run with these options makes pictures, rather than tells about the scene.
+/// Whether a run with these options makes pictures, rather than prints about the scene.
 bool renders(const parser::RenderOptions& options);
 
 Status run_picture(const Picture& picture, const std::atomic<bool>& cancel, MessageForm& form,

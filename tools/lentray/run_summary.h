@@ -1,4 +1,4 @@
-// What a run tells its reader at its end. Pure.
+// What a run prints at its end. Pure.
 #pragma once
 
 #include <string>

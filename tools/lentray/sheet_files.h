@@ -15,7 +15,7 @@ namespace lentray::tool {
 /// output.
 std::string sheet_file(const parser::RenderOptions& options, const std::string& file);
 
-/// Throws camera::CameraError where --depth has nothing to tell.
+/// Throws camera::CameraError where --depth has nothing to say.
 void check_depth(const CameraSetup& setup, const parser::RenderOptions& options);
 
 /// The report on standard output, the drawing into the file, if there is one. A drawing for `-`

@@ -165,7 +165,7 @@ camera::Sheet cone_sheet(const parser::CameraRequest& request, const CameraOptio
   return make_sheet(request, o, probe);
 }
 
-/// A line of a sheet's report that tells of places and parallax, and not of the lens.
+/// A line of a sheet's report that is about places and parallax, and not of the lens.
 bool is_of_scene(const std::string& line) {
   return line.find(" visible point ") != std::string::npos || line.starts_with("Background") ||
          line.starts_with("Sheet distance") || line.starts_with("Larger than the sheet") ||

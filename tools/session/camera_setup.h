@@ -26,7 +26,7 @@ struct CameraOptions {
   std::optional<std::uint32_t> view{};     ///< that view of the sheet alone
   parser::ViewOptions views{};
   bool is_first_view =
-      true;  ///< of pictures of one sheet; the first one's report tells of the sheet
+      true;  ///< of pictures of one sheet; the first one's report describes the sheet
   bool is_animated = false;  ///< the sheet is made anew for every picture
 };
 

@@ -45,7 +45,7 @@ std::string short_name(const std::string& name) {
          std::filesystem::path(name.substr(place + 4)).filename().string();
 }
 
-/// An object of the drawing, with what is told of it.
+/// An object of the drawing, with what is reported of it.
 struct Drawn {
   const SeenObject* object = nullptr;
   double near = 0.0, far = 0.0, most = 0.0;  ///< parallax, pixels a view

@@ -1,4 +1,4 @@
-// Going on with pictures (+C): what of a run's pictures is there already. One thread.
+// Continuing pictures (+C): what of a run's pictures is there already. One thread.
 #pragma once
 
 #include <string>
@@ -7,7 +7,7 @@
 
 namespace lentray::tool {
 
-/// Whether a picture there can be gone on with later: a regular file, or nothing yet. Empty and "-" are no
+/// Whether a picture there can be continued later: a regular file, or nothing yet. Empty and "-" are no
 /// files.
 bool is_file_place(const std::string& picture);
 

@@ -1,5 +1,5 @@
 // What a picture depends on: the program, the options that decide its pixels, its frame's clock,
-// and the files that were read. A picture is gone on with (+C) only if all of it is as it was. One
+// and the files that were read. A picture is continued (+C) only if all of it is as it was. One
 // thread.
 #pragma once
 
@@ -27,7 +27,7 @@ struct Identity {
 /// Without files.
 Identity identity_of(const parser::RenderOptions& options, const parser::FrameClock& clock);
 
-/// What is different now, ready to follow "the picture cannot be gone on with: "; empty: nothing.
+/// What is different now, ready to follow "the picture cannot be continued: "; empty: nothing.
 std::string difference(const Identity& then, const Identity& now);
 /// The same before the scene is read: its files are looked at again.
 std::string difference_of_files(const Identity& then, const std::string& scene);

@@ -1,6 +1,6 @@
 // What the passes of a picture have committed (core/pass/pass_ledger.h), in a file beside the
 // picture's journal: a.png.lentray-passes. While passes run it is called a.png.lentray-passes.part;
-// a file without that end is whole, and whoever goes on with it makes nothing anew.
+// a file without that end is whole, and whoever continues it makes nothing anew.
 //
 // The file begins with what the passes depend on (tools/session/identity.h). Then come records with
 // a checksum each; what a killed run left half written is dropped. Passes that end within a second
@@ -33,7 +33,7 @@ class PassFile final : public core::PassLedger {
 
   /// Nothing is kept of that picture's passes any more.
   static void forget(const std::string& picture);
-  /// Goes on with what there is. Throws if that is of something else, or if another run is at it.
+  /// Continues what there is. Throws if that is of something else, or if another run is at it.
   void go_on();
 
   void begin(std::size_t pass) override;

@@ -14,7 +14,7 @@ namespace lentray::tool {
 class PictureFile final : public core::BandSink {
  public:
   /// `path` "-": standard output; empty: nowhere. Bands hold colours of the working space that
-  /// `format` tells. `spare`, or null, gives way to the file on a full disk.
+  /// `format` says. `spare`, or null, gives way to the file on a full disk.
   PictureFile(const std::string& path, const core::ImageFormat& format, const CameraSetup& camera,
               core::SpareRoom* spare);
 

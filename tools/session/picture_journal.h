@@ -44,7 +44,7 @@ class PictureJournal final : public core::PictureLedger, public core::SpareRoom 
 
   /// Nothing is kept of that picture any more, unless a run is at it.
   static void forget(const std::string& picture);
-  /// Goes on with what there is. Throws if that is of something else, or if another run works on
+  /// Continues what there is. Throws if that is of something else, or if another run works on
   /// it.
   void go_on();
   /// The picture is in its place: nothing is kept, or that it is finished.

@@ -1,5 +1,5 @@
 // A radiosity pass in a file of its own: all that pictures read of it, bit for bit, and what it did. The file
-// begins with what the pass depends on; checksums tell a damaged one. Pure functions.
+// begins with what the pass depends on; checksums reveal a damaged one. Pure functions.
 #pragma once
 
 #include <memory>

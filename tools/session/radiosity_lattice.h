@@ -1,4 +1,4 @@
-// The places that a radiosity pass looks at before a picture: those of the picture, or of the lens sheet that
+// The places that a radiosity pass samples before a picture: those of the picture, or of the lens sheet that
 // it is a view of. Pure functions.
 #pragma once
 
@@ -27,7 +27,7 @@ core::Vec3 radiosity_eye(const parser::CameraRequest& request);
 /// (tools/session/identity.h).
 std::string identity_lines(const RadiosityLattice& lattice, const core::Vec3& eye);
 
-/// Of a scene with radiosity: its settings, and what the pass will do. As --explain tells it.
+/// Of a scene with radiosity: its settings, and what the pass will do. As --explain gives it.
 std::string radiosity_plan(const core::Scene& scene, const RadiosityLattice& lattice);
 
 }  // namespace lentray::tool

@@ -1,4 +1,4 @@
-// Radiosity of a scene's pictures: the pass before them, or one that was kept, and what is told of it. All that
+// Radiosity of a scene's pictures: the pass before them, or one that was kept, and what is reported of it. All that
 // looks at one lens sheet, the sheet itself, its views and quilts of them, shares the pass over the sheet. One
 // thread.
 #pragma once

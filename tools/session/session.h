@@ -54,7 +54,7 @@ struct Plan {
 struct Outlets {
   core::BandSink& sink;
   core::Progress* progress = nullptr;
-  core::PictureLedger* ledger = nullptr;  ///< to go on with the picture later
+  core::PictureLedger* ledger = nullptr;  ///< to continue the picture later
   core::PassLedger* passes = nullptr;     ///< the same of the work before it
   const std::atomic<bool>* cancel = nullptr;
   RadiosityStore* radiosity = nullptr;  ///< that was read: where radiosity is kept

@@ -1,4 +1,4 @@
-// What a run tells of itself as JSON: Statistics_File, docs/statistics.md. Pure.
+// What a run reports of itself as JSON: Statistics_File, docs/statistics.md. Pure.
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>

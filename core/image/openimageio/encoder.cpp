@@ -120,7 +120,7 @@ class Encoder final : public PictureEncoder {
   }
 
  private:
-  /// The file's own complaint tells more than the encoder's, which may not even notice.
+  /// The file's own complaint says more than the encoder's, which may not even notice.
   void check(bool done) {
     if (!m_file.complaint().empty()) throw std::runtime_error(m_file.complaint());
     if (!done) throw std::runtime_error(m_output->geterror());

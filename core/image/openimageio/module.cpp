@@ -18,7 +18,7 @@ namespace lentray::core {
 namespace {
 
 /// Radiance's mantissas of 8 bits stand for the middles of their steps, as in Radiance itself and in stock. The largest
-/// of the three has its upper bit set, so that it tells the step.
+/// of the three has its upper bit set, so that it identifies the step.
 void lift_to_middles(StoredImage& image) {
   for (std::size_t i = 0; i + 2 < image.samples.size(); i += 3) {
     const float largest = std::max({image.samples[i], image.samples[i + 1], image.samples[i + 2]});
