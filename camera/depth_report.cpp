@@ -100,7 +100,7 @@ void add_objects(const Lenticular& sheet, const DepthSurvey& seen, Lines& out) {
   const std::string rest = std::to_string(sharp) + (sharp == 1 ? " object" : " objects") + ", " +
                            share_text(sharp_share) + " of the picture";
   if (list.empty()) {
-    if (sharp > 0) out.push_back("No object stands out of what is sharp: " + rest);
+    if (sharp > 0) out.push_back("No object extends beyond what is sharp: " + rest);
     return;
   }
   out.push_back("Objects that are not sharp all over, the nearest first:");

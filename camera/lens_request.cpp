@@ -110,7 +110,7 @@ LensRequest with_lens_pitch(const LensRequest& request) {
   if (!request.print_lpi) return request;
   if (request.pitch || request.lpi) {
     throw CameraError(
-        "Print_LPI tells the lenses' pitch, and so does Lens_Pitch or Lens_LPI: give one of them",
+        "Print_LPI gives the lenses' pitch, and so does Lens_Pitch or Lens_LPI: give one of them",
         {"Print_LPI", "Lens_Pitch", "Lens_LPI"});
   }
   if (!(*request.print_lpi >= 1e-4 && *request.print_lpi <= 1e7)) {

@@ -120,7 +120,7 @@ constexpr OptionHelp kPicture[] = {
     {"Dither_Method", "B2|B3|B4|D1|D2|FS",
      "Bayer's matrices, diffusion along the line or the plane, Floyd and Steinberg's (FS).", ""},
     {"Continue_Trace", kSwitch,
-     "Go on with what a stopped or killed run did not finish, and keep what is there already.", ""},
+     "Continue what a stopped or killed run did not finish, and keep what is there already.", ""},
     {"Create_Ini", "file",
      "Where to write all options, as an INI file that asks for the same again; on for the scene's "
      "name with .ini.",
@@ -157,9 +157,9 @@ constexpr OptionHelp kSheet[] = {
      "View_Distance.",
      ""},
     {"Lens_Thickness", "mm", "From the lenses to the print: the sheet's thickness.", ""},
-    {"Lens_Radius", "mm", "Of the round surface; tells where the lenses focus.", ""},
+    {"Lens_Radius", "mm", "Of the round surface; says where the lenses focus.", ""},
     {"Lens_IOR", "n", "Refractive index of the material (1.6).", ""},
-    {"Lens_Angle", "degrees", "The full viewing angle; without a thickness it tells that.", ""},
+    {"Lens_Angle", "degrees", "The full viewing angle; without a thickness it gives that.", ""},
     {"Lens_Focal_Length", "mm",
      "From the lens to the print, in the lens's material; with a thickness, to where it focuses "
      "(3.03; at another pitch, of the same shape).",

@@ -67,7 +67,7 @@ def check_head(page):
     text = page.one("body").text
     for words in ("23 of 24 settings are measured, 1 failed.", "320 × 240", "14.00 s", "converged",
                   "The pictures have random noise: the scene has jitter", "lentray 'a scene.pov' +W320 +H240",
-                  "4 samples", "Errors from 0.100 on are told apart"):
+                  "4 samples", "Errors from 0.100 on are distinguished"):
         expect(words in text, f"no '{words}' on the page")
     equal(page.js("return window.harm"), None, "script of a setting's name ran")
     equal(len(page.rows()), SETTINGS, "rows")
@@ -232,7 +232,7 @@ def check_table_leads_to_the_panel(page):
     page.js("[...document.querySelectorAll('#detail .go')][0].click()")
     equal(page.shown(), "a picture that is not there", "to the one that is better")
     rows = page.js("return [...document.querySelectorAll('#settings tr')].map(e => e.textContent).join('\\n')")
-    for words in ("on the front", "error not told apart", "same picture", "NOT the plain picture", "failed: <script>"):
+    for words in ("on the front", "error not distinguished", "same picture", "NOT the plain picture", "failed: <script>"):
         expect(words in rows, f"no '{words}' in the table")
 
 

@@ -1,4 +1,4 @@
-// What stands out of stock's box of an object is seen where rays meet the box, and only there: of some
+// What extends beyond the box of an object in stock is seen where rays meet the box, and only there: of some
 // quadrics it holds too little, of discs in intersections, and of what a height field clips, which goes down
 // without end.
 #include <gtest/gtest.h>
@@ -66,7 +66,7 @@ INSTANTIATE_TEST_SUITE_P(
         "merge { intersection { quadric { <1,0,1>, 0, <0,-1,0>, -1 } plane { y, 3 } } sphere { "
         "2*x, 1 } }"));
 
-/// Nothing of these stands out of stock's box.
+/// Nothing of these extends beyond the box in stock.
 TEST(ImageClipBoxesList, HideNothing) {
   for (const std::string shape :
        {"intersection { quadric { <1,0,1>, 0, 0, -1 } object { H } }",

@@ -482,7 +482,7 @@ TEST_F(ImagePrint, WholePixelsAMetreAreTooCoarseForLargePng) {
   };
   const auto png = with("a.png");
   EXPECT_EQ(png.status, 0) << png.output;
-  EXPECT_NE(png.output.find("lentray-print: warning: 'a.png': PNG tells whole pixels a metre only"),
+  EXPECT_NE(png.output.find("lentray-print: warning: 'a.png': PNG holds whole pixels a metre only"),
             std::string::npos)
       << png.output;
   EXPECT_EQ(with("a.tif").output.find("warning"), std::string::npos);

@@ -183,7 +183,7 @@ TEST_F(ImageViewCameras, WithoutASheetThereAreNone) {
   const auto result = lentray({"--explain"});
   EXPECT_EQ(result.status, 1);
   EXPECT_NE(
-      result.output.find("View_Cameras= tells the cameras of views: add Lenticular=On, or Quilt="),
+      result.output.find("View_Cameras= gives the cameras of views: add Lenticular=On, or Quilt="),
       std::string::npos)
       << result.output;
   EXPECT_FALSE(std::filesystem::exists(m_folder / "c.json"));

@@ -477,7 +477,7 @@ TEST_F(ErrorViews, EveryMessage) {
       {{"sheet.png", "--quilt", "4x2", "--count", "7"}, "contradict each other"},
       {{"v3.png", "v3.png", "--quilt", "4x2"}, "wants as many pictures, not 2"},
       {{"v3.png", "plain.png", "--quilt", "2x1"}, "these views do not go together: they have"},
-      {{"v3.png", "v3.png", "v3.png", "--stereo"}, "--pair L,R tells"},
+      {{"v3.png", "v3.png", "v3.png", "--stereo"}, "--pair L,R gives"},
       {{"v3.png", "v3.png", "--stereo", "--square"}, "--square is of integral images"},
       {{"sheet.png", "--eye", "90"}, "an angle between -90 and 90 degrees is expected"},
       {{"sheet.png", "--eye", "5,0"}, "the eye's distance must be greater than 0 mm"},

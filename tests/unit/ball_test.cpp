@@ -136,7 +136,7 @@ TEST_P(UnitBallOfShape, HoldsAllThatIsMet) {
       plain.all(ray, 1e-6, Bounds::kInf, found, arena);
       for (const core::Hit& hit : found) {
         EXPECT_FALSE(ball.is_missed_by(ray)) << sdl;
-        // What stands out of bounded_by is met by rays that pass through that, and a parametric's
+        // What extends beyond bounded_by is met by rays that pass through that, and a parametric's
         // search may end far along its ray.
         if (dynamic_cast<const core::Gated*>(&object) ||
             GetParam().name == std::string_view("parametric"))

@@ -280,7 +280,7 @@ TEST(UnitLensRequest, BadStripsAreRefused) {
   twice.lpi = 40.0;
   EXPECT_EQ(
       message(twice),
-      "Print_LPI tells the lenses' pitch, and so does Lens_Pitch or Lens_LPI: give one of them");
+      "Print_LPI gives the lenses' pitch, and so does Lens_Pitch or Lens_LPI: give one of them");
   LensRequest nowhere = measured_strips(39.8);
   nowhere.view_distance.reset();
   EXPECT_EQ(message(nowhere), "Print_LPI needs a View_Distance: which strips fit depends on it");

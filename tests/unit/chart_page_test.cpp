@@ -66,7 +66,7 @@ TEST(UnitChartPage, VerdictsOfEveryState) {
   EXPECT_EQ(verdict_of(0), "better in words is better");
   EXPECT_EQ(verdict_of(1), "on the front");
   EXPECT_EQ(verdict_of(2), "same picture");
-  EXPECT_EQ(verdict_of(3), "on the front; error not told apart");
+  EXPECT_EQ(verdict_of(3), "on the front; error not distinguished");
   chart.points[2].from_plain = sample_error(1.0);
   EXPECT_EQ(verdict_of(2), "NOT the plain picture");
   chart.points[0].dominated_by = "gone";

@@ -67,13 +67,13 @@ TEST_F(UnitChartArguments, DefaultsAreThoseOfTheHelp) {
 TEST_F(UnitChartArguments, BadOnesAreNamed) {
   const std::string s = scene(), out = "--out=o", ours = "the chart decides that of every picture";
   const std::pair<std::vector<std::string>, std::string> cases[] = {
-      {{out}, "no scene given; lentray-chart --help tells how"},
+      {{out}, "no scene given; lentray-chart --help says how"},
       {{s}, "--out DIR is missing"},
       {{"none.pov", out}, "there is no scene 'none.pov'"},
       {{s, s, out}, "two scenes: '"},
       {{s, "--out"}, "--out needs a value"},
       {{s, "--out="}, "the name of a folder is expected"},
-      {{s, out, "--colour"}, "unknown option '--colour'; --help tells all"},
+      {{s, out, "--colour"}, "unknown option '--colour'; --help lists all"},
       {{s, out, "--repeats", "0"}, "--repeats 0"},
       {{s, out, "--repeats", "some"}, "--repeats some"},
       {{s, out, "--budget", "soon"}, "a time above 0 is expected, such as 30s, 2min or 500ms"},

@@ -68,7 +68,7 @@ TEST_F(UnitGroupingTool, Errors) {
   EXPECT_NE(error_of({scene(), "Orders=rows,"}).find("a list of names"), std::string::npos);
   EXPECT_NE(error_of({scene(), "Repeats=-1"}).find("from 0 to 1000"), std::string::npos);
   EXPECT_NE(error_of({scene(), "Pixel_Order=rows"}).find("--orders"), std::string::npos);
-  EXPECT_EQ(error_of({scene(), "--fast"}), "unknown option '--fast'; --help tells all");
+  EXPECT_EQ(error_of({scene(), "--fast"}), "unknown option '--fast'; --help lists all");
 }
 
 Trial trial(const char* order, std::uint64_t hits, std::vector<double> cpu_s) {

@@ -32,14 +32,14 @@ TEST(UnitMerge, Arguments) {
 }
 
 TEST(UnitMerge, WrongArguments) {
-  EXPECT_EQ(error_of({}), "no parts are given; lentray-merge --help tells of all options");
+  EXPECT_EQ(error_of({}), "no parts are given; lentray-merge --help lists all options");
   EXPECT_EQ(error_of({"a.png"}), "--out PICTURE is missing");
   EXPECT_EQ(error_of({"a.png", "--out"}), "--out needs a value");
   EXPECT_EQ(error_of({"a.png", "--out="}), "option --out=: the name of a file is expected");
   EXPECT_EQ(error_of({"a.png", "--ou=x.png"}),
             "unknown option '--ou'; there are --out --rows --help --version");
   EXPECT_EQ(error_of({"a.png", "b.png", "--out=x.png", "--rows=1-2"}),
-            "--rows tells of 1 parts, but there are 2");
+            "--rows names 1 parts, but there are 2");
   EXPECT_EQ(error_of({"a.png", "--out=x.png", "--rows=9-2"}),
             "option --rows=9-2: '9-2' end before they start");
   for (const char* rows : {"", "0-3", "1-", "-3", "1-x", "1-2,", "1:2", "99999999999"}) {
@@ -146,7 +146,7 @@ TEST_F(UnitMergeFiles, MissingAndCommonRows) {
   EXPECT_EQ(join_error({{a}, {b}}), "no error") << "rows 3 and 4 are equal";
   EXPECT_EQ(join_error({{a}, {c}}),
             "cannot make 'out.png': row 6 is black in every part, or missing: "
-            "--rows tells the rows of each part");
+            "--rows gives the rows of each part");
   EXPECT_EQ(join_error({{a, Rows{1, 4}}, {c, Rows{5, 5}}}),
             "cannot make 'out.png': row 6 is in no part");
   EXPECT_EQ(join_error({{a, Rows{1, 6}}, {b, Rows{3, 6}}}),

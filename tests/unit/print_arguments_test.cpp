@@ -139,7 +139,7 @@ TEST(UnitPrintArguments, TwoResolutions) {
 }
 
 TEST(UnitPrintArguments, WrongTogether) {
-  EXPECT_EQ(print_error({}), "no command is given; lentray-print --help tells of all");
+  EXPECT_EQ(print_error({}), "no command is given; lentray-print --help lists all");
   EXPECT_EQ(print_error({"print"}),
             "unknown command 'print'; there are pitch-test, phase-test, eye-test and sheet");
   EXPECT_EQ(print_error({"pitch-test", "--lpi", "40"}),
@@ -151,7 +151,7 @@ TEST(UnitPrintArguments, WrongTogether) {
   EXPECT_EQ(print_error({"sheet", "a.png", "--dpi=720x360", "--dpi-y=360", "--out=a.pdf"}),
             "--dpi has two numbers, across the lenses and along them: leave --dpi-y out");
   EXPECT_EQ(print_error({"sheet", "a.png", "--copies=2x3", "--grid=3x2", "--out=a.pdf"}),
-            "--copies CxR tells the grid already: leave --grid out");
+            "--copies CxR gives the grid already: leave --grid out");
   EXPECT_EQ(print_error({"sheet", "a.png", "b.png", "--copies=501", "--out=a.pdf"}),
             "2 pictures 501 times each: 1000 are possible");
   EXPECT_EQ(print_error({"pitch-test", "a.png"}),

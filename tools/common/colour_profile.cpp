@@ -65,7 +65,7 @@ Transform transform_from(const std::string& profile, cmsUInt32Number from, cmsUI
   Transform transform(
       cmsCreateTransform(source.get(), from, target.get(), to, INTENT_RELATIVE_COLORIMETRIC,
                          cmsFLAGS_NOOPTIMIZE | cmsFLAGS_NOCACHE | cmsFLAGS_BLACKPOINTCOMPENSATION));
-  if (!transform) throw ProfileError("it lacks what tells its colours");
+  if (!transform) throw ProfileError("it lacks what defines its colours");
   return transform;
 }
 

@@ -63,7 +63,7 @@ std::string height_change_of(const core::StoredImage& image, const Facts& facts,
   const double height = rows_told(facts);
   if (height <= 0.0 || height == image.height) return {};
   return "'" + name + "' was rendered " + whole_text(height) + " pixels high and has " +
-         std::to_string(image.height) + " now: the height and shape it tells are those of before";
+         std::to_string(image.height) + " now: the height and shape it gives are those of before";
 }
 
 }  // namespace lentray::tool

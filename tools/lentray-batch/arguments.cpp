@@ -234,7 +234,7 @@ class Parsing {
     if (!m_out.sbatch.empty() && !m_out.slurm)
       throw OptionError("--sbatch gives options to Slurm: it needs --slurm");
     if (m_out.inputs.empty())
-      throw OptionError("no folder and no scene was named; lentray-batch --help tells how");
+      throw OptionError("no folder and no scene was named; lentray-batch --help says how");
     if (m_out.out.empty())
       throw OptionError("--out DIR is missing: the folder for pictures, manifest and page");
     m_out.out = fs::absolute(m_out.out).lexically_normal();
@@ -284,7 +284,7 @@ memory: the folders stay as they are.
                    difference, the ratio of times
   --grade G        exact, match, noise or close: what every scene must reach
   --noise W        auto, on or off: stock renders three times more where a
-                   picture is short of match, to tell its own noise (of scenes
+                   picture is short of match, to measure its own noise (of scenes
                    with radiosity, photons or subsurface light)
   --table FILE     the comparison as a Markdown table
   --jobs N         scenes at a time (as many as there are processors)

@@ -117,7 +117,7 @@ void take_scene(Arguments& arguments, const std::string& word) {
 }
 
 void check(Arguments& arguments) {
-  if (arguments.scene.empty()) throw OptionError("no scene given; lentray-chart --help tells how");
+  if (arguments.scene.empty()) throw OptionError("no scene given; lentray-chart --help says how");
   if (!fs::is_regular_file(arguments.scene)) {
     throw OptionError("there is no scene '" + arguments.scene + "'");
   }
@@ -144,7 +144,7 @@ Arguments parse_arguments(const std::vector<std::string>& words) {
     } else if (const auto own = parser::own_option(words, i, kNames)) {
       kApply[own->index](arguments, own->given);
     } else if (word.starts_with("--")) {
-      throw OptionError("unknown option '" + word + "'; --help tells all");
+      throw OptionError("unknown option '" + word + "'; --help lists all");
     } else if (is_switch(word) || word.find('=') != std::string::npos || is_ini(word)) {
       if (is_switch(word) || !is_ini(word)) refuse_ours(word);
       arguments.for_lentray.push_back(word);
@@ -170,7 +170,7 @@ Shows what each setting of a scene costs and what it gives: speed against
 accuracy. Settings that trade time for error are rendered in turn, several
 times each; every picture is held against a converged reference of the scene
 and against stock POV-Ray's at the same settings. DIR gets chart.csv, the page
-index.html and the pictures. Stopped, it goes on with the same command.
+index.html and the pictures. Stopped, it continues with the same command.
 
   --out DIR        the folder for everything
   --budget T       names the setting with the least error that renders within

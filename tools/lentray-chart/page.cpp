@@ -50,7 +50,7 @@ std::string notes(const Chart& chart, const PagePictures& pictures) {
   if (!chart.noise.empty())
     out += note("The pictures have random noise: " + html_text(chart.noise));
   if (!chart.reference.is_converged && chart.reference.change > 0.0)
-    out += note("The reference is not converged; what it tells apart is below, at its steps.");
+    out += note("The reference is not converged; what it distinguishes is below, at its steps.");
   if (chart.stock.empty() && !chart.stock_reason.empty())
     out += note("Nothing of POV-Ray: " + html_text(chart.stock_reason));
   if (pictures.side == 0 && !chart.points.empty())

@@ -66,7 +66,7 @@ function badgesOf(point) {
   if (point.state === "waiting") add("waiting");
   if (point.front) add("on the front", "is-good");
   if (point.dominated_by) add("another is better");
-  if (point.blurred && point.state === "done") add("error not told apart", "is-warning");
+  if (point.blurred && point.state === "done") add("error not distinguished", "is-warning");
   if (point.kind === "exact" && point.from_plain?.rms > 0) add("not the plain picture", "is-failure");
   return badges;
 }

@@ -171,7 +171,8 @@ std::string legend(const Chart& chart) {
   out += "The line is the least error that a time gets. Bars are the spread of times. ";
   if (any([](const Point& p) { return !p.told_apart; }))
     out +=
-        "Hollow or thin symbols, in the grey band, have errors that the reference cannot tell "
+        "Hollow or thin symbols, in the grey band, have errors that the reference cannot "
+        "distinguish "
         "apart. ";
   if (any([](const Point& p) { return p.stock_error && p.stock_cpu_s; }))
     out += "Stars are POV-Ray at the same settings. ";
@@ -199,7 +200,7 @@ std::string verdict(const Chart& chart, const Point& p) {
   } else {
     text += "no error is known";
   }
-  return p.told_apart ? text : text + "; error not told apart";
+  return p.told_apart ? text : text + "; error not distinguished";
 }
 
 std::string table_rows(const Chart& chart) {
@@ -214,7 +215,7 @@ std::string reference_text(const Reference& reference, const std::string& proble
              ? "It is converged: with half of its samples it is "
              : "<strong>It is not converged.</strong> With half of its samples it is ";
   out += figure(reference.change) + " / 255 (rms) away. Errors from " +
-         figure(10.0 * reference.change) + " on are told apart. It took " +
+         figure(10.0 * reference.change) + " on are distinguished. It took " +
          time_text(reference.cpu_s) + ".</p>\n";
   if (!problem.empty())
     out += "<p class=\"is-warning\">No picture of it: " + html_text(problem) + "</p>\n";

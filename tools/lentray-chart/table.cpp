@@ -75,7 +75,7 @@ std::string front_of(const Chart& chart, bool lens_models) {
     const Error& e = *p->error;
     add_row(out, {fixed("%.3f", p->seconds()), fixed("%.3f", e.rms), fixed("%.1f", e.psnr),
                   e.perceived ? fixed("%.3f", *e.perceived) : "-",
-                  p->setting.label + (p->told_apart ? "" : " (error not told apart)")});
+                  p->setting.label + (p->told_apart ? "" : " (error not distinguished)")});
   }
   return out;
 }

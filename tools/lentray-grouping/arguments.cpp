@@ -87,7 +87,7 @@ Arguments parse_arguments(const std::vector<std::string>& words) {
     if (const auto own = parser::own_option(words, i, kNames)) {
       kApply[own->index](arguments, own->given);
     } else if (word.rfind("--", 0) == 0) {
-      throw OptionError("unknown option '" + word + "'; --help tells all");
+      throw OptionError("unknown option '" + word + "'; --help lists all");
     } else if (word[0] == '+' || word[0] == '-' || word.find('=') != std::string::npos ||
                word.find(".ini") != std::string::npos) {
       arguments.for_lentray.push_back(word);

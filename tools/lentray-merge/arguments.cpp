@@ -42,11 +42,11 @@ void apply(Arguments& a, std::size_t index, const GivenOption& given) {
 /// What the options can only be judged on together.
 void check(const Arguments& a) {
   if (a.parts.empty())
-    throw OptionError("no parts are given; lentray-merge --help tells of all options");
+    throw OptionError("no parts are given; lentray-merge --help lists all options");
   if (a.out.empty()) throw OptionError("--out PICTURE is missing");
   if (!a.rows.empty() && a.rows.size() != a.parts.size()) {
-    throw OptionError("--rows tells of " + std::to_string(a.rows.size()) +
-                      " parts, but there are " + std::to_string(a.parts.size()));
+    throw OptionError("--rows names " + std::to_string(a.rows.size()) + " parts, but there are " +
+                      std::to_string(a.parts.size()));
   }
 }
 
@@ -86,7 +86,7 @@ not black count. Parts may have rows in common: these must be equal.
                          and what stood there before stays until then
   --rows FIRST-LAST,...  the rows of each part, in the order of the parts, counted
                          from 1 as +SR and +ER have them: 1-60,61-120. So rows
-                         that are missing are told from rows that are black
+                         that are missing are distinguished from rows that are black
   --help, --version
 
 Examples:

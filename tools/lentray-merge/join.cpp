@@ -54,7 +54,7 @@ class Joiner {
     core::FileSwap swap(m_out);
     fill(swap.temporary());
     if (!m_missing.empty())
-      fail_missing("black in every part, or missing: --rows tells the rows of each part");
+      fail_missing("black in every part, or missing: --rows gives the rows of each part");
     if (!difference(m_head, read_head(swap.temporary())).empty()) {
       throw ImageError(quoted(m_parts[0].path) +
                        " is no picture that lentray wrote: it says more of itself");

@@ -45,7 +45,7 @@ std::string name_of(const PngHead::Chunk& chunk) {
   if (chunk.type == "tEXt") return "text '" + text_of(chunk.data).first + "'";
   if (chunk.type == "gAMA" || chunk.type == "sRGB") return "gamma";
   if (chunk.type == "pHYs") return "resolution";
-  if (chunk.type == "sBIT") return "bits that tell something";
+  if (chunk.type == "sBIT") return "bits that carry information";
   return "chunk " + chunk.type;
 }
 

@@ -324,7 +324,7 @@ class Reading {
 
 void check_pictures(const Arguments& a) {
   if (a.grid && a.copies_grid) {
-    throw OptionError("--copies CxR tells the grid already: leave --grid out");
+    throw OptionError("--copies CxR gives the grid already: leave --grid out");
   }
   if (a.images.size() * static_cast<std::size_t>(a.copies) > kMostPictures) {
     throw OptionError(std::to_string(a.images.size()) + " pictures " + std::to_string(a.copies) +
@@ -380,7 +380,7 @@ Arguments parse_arguments(const std::vector<std::string>& words) {
       reading.emplace(a, *command);
     }
   }
-  if (!command) throw OptionError("no command is given; lentray-print --help tells of all");
+  if (!command) throw OptionError("no command is given; lentray-print --help lists all");
   check_together(a);
   return a;
 }
@@ -398,7 +398,7 @@ at the resolution that was asked for.
 pitch-test draws gratings of lines about the lenses' pitch, each with its
 number. Seen through the lens sheet from the final distance, the one that turns
 dark or light as a whole has the pitch that sheet, printer and distance have
-together. phase-test draws them in cells whose lines are shifted, which tells
+together. phase-test draws them in cells whose lines are shifted, which shows
 where the lenses stand. eye-test draws rows that are black to the left eye and
 white to the right from the distance beside them.
 
@@ -416,7 +416,7 @@ Of all commands:
   --lpi L              lenses an inch
   --lens-pitch P       the same as a length: 0.635mm
   --dpi D|DxE          the printer's pixels an inch: of tests (600), or where a
-                       picture does not tell. DxE: D across the lenses, where
+                       picture does not say. DxE: D across the lenses, where
                        the views lie, and E along them, as Print_DPI has it
   --dpi-y E            the same as that E
   --mirror             as seen from behind, for prints on the lens sheet's back
@@ -467,9 +467,9 @@ Of sheets:
   --overlap O          of neighbouring tiles (10mm)
   --pitch P            the pitch that a test has measured: 39.87lpi or 0.637mm.
                        The strips are made of the views that the picture has.
-                       That is not exact: the error is told, and the options of
+                       That is not exact: the error is reported, and the options of
                        lentray that render it exactly
-  --pixels N           pixels a lens, where the picture does not tell
+  --pixels N           pixels a lens, where the picture does not say
   --bits 8|16          a channel (as the picture has)
   --profile srgb|keep  a picture with a colour profile is converted to sRGB (the
                        default), or stays as it is, and the profile goes into

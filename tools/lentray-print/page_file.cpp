@@ -47,7 +47,7 @@ void warn_of_png(const Page& page, const fs::path& path, std::vector<std::string
       std::max(png_error(page.width, page.dpi_x), png_error(page.height, page.dpi_y));
   if (error <= kTolerated) return;
   warnings.push_back("'" + path.string() +
-                     "': PNG tells whole pixels a metre only, which makes the page " +
+                     "': PNG holds whole pixels a metre only, which makes the page " +
                      camera::format(error) + " mm too long or short; TIFF and PDF are exact");
 }
 

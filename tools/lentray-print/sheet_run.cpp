@@ -258,7 +258,7 @@ class SheetRun {
         render_options(source.data, *m_a.print_pitch, source.lenses, source.image.height);
     say(about(source) + (options.empty()
                              ? "exact: a new render with Lens_Pixels=" + format(m_data.pixels) +
-                                   "; the picture does not tell its lens"
+                                   "; the picture does not say its lens"
                              : "exact: lentray SCENE.pov " + options));
   }
 

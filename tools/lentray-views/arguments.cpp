@@ -148,7 +148,7 @@ class Reader {
         apply(own->index, own->given);
       } else if (words[i].starts_with("-")) {
         throw OptionError("unknown option '" + words[i].substr(0, words[i].find('=')) +
-                          "'; lentray-views --help tells of all options");
+                          "'; lentray-views --help lists all options");
       } else {
         m_out.pictures.emplace_back(words[i]);
       }
@@ -261,7 +261,7 @@ class Reader {
   void check() {
     Arguments& a = m_out;
     if (a.pictures.empty()) {
-      throw OptionError("no picture is given; lentray-views --help tells of all options");
+      throw OptionError("no picture is given; lentray-views --help lists all options");
     }
     if (m_some_views && a.task == Task::kDescribe) a.task = Task::kViews;
     if (m_some_views && (m_task == "--view" || m_task == "--all")) {

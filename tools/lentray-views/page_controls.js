@@ -131,7 +131,7 @@ async function startDevice() {
   window.addEventListener("deviceorientation", onDevice);
   deviceTimer = setTimeout(() => {
     stopDevice();
-    byId("device-said").textContent = "Nothing tells how this device is held. Some browsers tell it only to pages " +
+    byId("device-said").textContent = "Nothing says how this device is held. Some browsers say it only to pages " +
       "that come by https.";
   }, 1500);
 }

@@ -76,7 +76,7 @@ void refuse_damaged(const core::StoredImage& image, const Facts& facts, const Sh
   if (options.pixels) return;
   const std::string damage = tool::damage_of(image, facts, name);
   if (!damage.empty()) {
-    throw ImageError(damage + " (or --lens-pixels N tells the pixels a lens that it has now)");
+    throw ImageError(damage + " (or --lens-pixels N gives the pixels a lens that it has now)");
   }
 }
 
@@ -104,7 +104,7 @@ Sheet sheet_of(const core::StoredImage& image, const SheetOptions& options,
     if (!known) missing += (missing.empty() ? "" : ", ") + std::string(option);
   };
   if (!take(options.pixels, facts, "lens.pixels", about, lens.pixels)) {
-    throw ImageError(about + " does not say how many pixels a lens has: --lens-pixels N tells");
+    throw ImageError(about + " does not say how many pixels a lens has: --lens-pixels N says it");
   }
   need(take(options.pitch, facts, "lens.pitch_mm", about, lens.pitch), "--lens-pitch");
   need(take(options.focal_length, facts, "lens.focal_length_mm", about, lens.focal_length),

@@ -100,7 +100,7 @@ class PictureSource final : public Source {
     if (m_arguments.pair) return {view(m_arguments.pair->first), view(m_arguments.pair->last)};
     if (count() != 2) {
       throw ImageError("of these " + std::to_string(count()) +
-                       " pictures --pair L,R tells the left and the right eye's");
+                       " pictures --pair L,R gives the left and the right eye's");
     }
     // As they were named: the left eye's first.
     const bool turned = m_arguments.from_left;

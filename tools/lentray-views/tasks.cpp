@@ -265,7 +265,7 @@ InterlacePlan plan_of(const Arguments& a, About& about, tool::PhotoReader& reade
     const double width = std::round(first.width * plan.pixels);
     if (width > 1e6) {
       throw ImageError("a lens for each of " + std::to_string(first.width) +
-                       " columns makes the sheet too wide: --size WxH tells its pixels");
+                       " columns makes the sheet too wide: --size WxH gives its pixels");
     }
     plan.width = static_cast<std::uint32_t>(width);
     plan.height = first.height;

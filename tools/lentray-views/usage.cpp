@@ -18,7 +18,7 @@ View j is what all lenses show at one place behind them, a pixel a lens. View 0
 is seen from the right, the last one from the left. Where the number of pixels a
 lens is not whole, a view has the nearest pixel of each lens.
 
-Without a task the sheet of IMAGE is told.
+Without a task the sheet of IMAGE is reported.
 
 Tasks:
   --view J               one view
@@ -58,9 +58,9 @@ Options:
   --delay MS             --wiggle: how long a view is shown (100)
   --page-limit MB        --preview: how large the page may be (20). Where the pixels
                          as they are do not fit they become JPEG, and then fewer
-                         rows; both is told
+                         rows; both are reported
   --order natural|given  IMG_1, IMG_10, IMG_2, as shells have them, become IMG_1, IMG_2,
-                         IMG_10, which is told (natural); other orders stay anyway
+                         IMG_10, which is reported (natural); other orders stay anyway
   --profile srgb|keep    pictures with a colour profile are converted to sRGB (srgb), or
                          stay as they are, and the profile goes into the file
   --from-left            VIEW... begins with the leftmost camera's picture

@@ -73,7 +73,7 @@ std::vector<std::string> warnings_of_eyes(const Sheet& sheet, const EyePair& eye
   return {"the two eyes look into two zones" + share(apart) + ", the left one into zone " +
           zone_text(left[example]) + " and the right one into zone " + zone_text(right[example]) +
           (reversed > 0 ? ": depth is reversed" + share(reversed) : ": depth is wrong") +
-          "; --one-zone has both look into one, --eyes MM tells how far apart they are"};
+          "; --one-zone has both look into one, --eyes MM says how far apart they are"};
 }
 
 std::vector<std::string> warnings_of_views(const Range& pair) {

@@ -243,7 +243,7 @@ std::unique_ptr<RadiosityStore> radiosity_store(const Run& run, const SceneInUse
 
 void tell_of_file(Run& run, const std::string& file) {
   run.form.texts().write(parser::Stream::kRender,
-                         "What is done is kept in '" + file + "': +C goes on with it\n");
+                         "What is done is kept in '" + file + "': +C continues it\n");
 }
 
 void tell_of_journal(Run& run, PictureJournal& journal) {

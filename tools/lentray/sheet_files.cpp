@@ -36,7 +36,7 @@ void check_depth(const CameraSetup& setup, const RenderOptions& o) {
   if (!setup.sheet) throw camera::CameraError("--depth needs a lens sheet: add Lenticular=On");
   if (o.views.quilt && !o.views.count) {
     throw camera::CameraError(
-        "--depth tells of a lens sheet, and the lenses of a quilt's display are not known: leave "
+        "--depth reports on a lens sheet, and the lenses of a quilt's display are not known: leave "
         "Quilt out, or give Views=");
   }
 }
@@ -61,7 +61,7 @@ void write_view_cameras(const CameraSetup& setup, const RenderOptions& o) {
   if (o.view_cameras.empty()) return;
   if (!setup.sheet) {
     throw camera::CameraError(
-        "View_Cameras= tells the cameras of views: add Lenticular=On, or Quilt=");
+        "View_Cameras= gives the cameras of views: add Lenticular=On, or Quilt=");
   }
   if (is_told_already(o)) return;
   const auto cameras = view_cameras(setup, camera_options(o), o.input == "-" ? "" : o.input);

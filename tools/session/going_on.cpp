@@ -22,7 +22,7 @@ bool is_finished(const std::string& picture, const Identity& identity, const std
     std::string why = difference(earlier->identity, now);
     if (why.empty() && !scene.empty()) why = difference_of_files(earlier->identity, scene);
     if (!why.empty()) {
-      throw parser::OptionError("'" + picture + "' cannot be gone on with: " + why +
+      throw parser::OptionError("'" + picture + "' cannot be continued: " + why +
                                 (earlier->is_finished ? " since the frame was made" : "") +
                                 " (without +C everything is begun anew)");
     }

@@ -86,7 +86,7 @@ bool PassFile::read(const std::string& path, bool is_part) {
   if (why.empty() && is_part && ::flock(file, LOCK_EX | LOCK_NB) != 0) why = "another run is at it";
   if (!why.empty()) {
     ::close(file);
-    throw parser::OptionError("the passes of the picture cannot be gone on with: " + why + " ('" +
+    throw parser::OptionError("the passes of the picture cannot be continued: " + why + " ('" +
                               path + "' keeps what was done; without +C they are begun anew)");
   }
   std::size_t whole = bytes.size() - rest.size();

@@ -133,7 +133,7 @@ void PictureJournal::go_on() {
   if (why.empty() && ::flock(file, LOCK_EX | LOCK_NB) != 0) why = "another run is at it";
   if (!why.empty()) {
     ::close(file);
-    throw parser::OptionError("the picture cannot be gone on with: " + why + " ('" + m_path +
+    throw parser::OptionError("the picture cannot be continued: " + why + " ('" + m_path +
                               "' keeps what was done; without +C the picture is begun anew)");
   }
   m_file = file;
@@ -317,7 +317,7 @@ void PictureJournal::give() {
 
 std::string PictureJournal::trouble() const {
   const std::string name = "'" + m_path + "' ";
-  const std::string so = ": had this run been cut off, +C would not have gone on with it";
+  const std::string so = ": had this run been cut off, +C would not have continued it";
   if (m_is_given) return name + "was given up, for the picture needed its room" + so;
   if (m_trouble.empty()) return "";
   if (m_whole > 0) return name + "could not be written to its end (" + m_trouble + ")";

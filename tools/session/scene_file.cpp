@@ -38,7 +38,7 @@ std::string found(const parser::RenderOptions& options) {
 }  // namespace
 
 SceneFile::SceneFile(const parser::RenderOptions& options) {
-  if (options.input.empty()) throw OptionError("no scene was named; lentray --help tells how");
+  if (options.input.empty()) throw OptionError("no scene was named; lentray --help says how");
   if (options.input != "-") {
     m_path = found(options);
     return;
