@@ -86,7 +86,7 @@ not black count. Parts may have rows in common: these must be equal.
                          and what stood there before stays until then
   --rows FIRST-LAST,...  the rows of each part, in the order of the parts, counted
                          from 1 as +SR and +ER have them: 1-60,61-120. So rows
-                         that are missing are distinguished from rows that are black
+                         that are missing are not taken for black ones
   --help, --version
 
 Examples:
