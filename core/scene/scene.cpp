@@ -126,7 +126,7 @@ Scene::Scene(SceneParts parts, const CompileOptions& options)
   m_tolerance_scale = tolerance_scale_of(m_parts.objects);
   m_needs = find_needs(m_parts);
   if (options.general_path) m_needs = everything_needed(std::move(m_needs), m_parts.settings);
-  if (m_needs.interiors) m_solids = std::make_unique<SolidIndex>(m_parts.objects);
+  m_solids = std::make_unique<SolidIndex>(m_parts.objects);
   m_hierarchy = std::make_unique<Hierarchy>(m_parts.objects, options.accelerator);
   m_light_buffers.resize(m_parts.lights.size());
 }
