@@ -124,7 +124,7 @@ Scene::Scene(SceneParts parts, const CompileOptions& options)
   m_needs = find_needs(m_parts);
   m_needs.infinite_objects = m_hierarchy->has_infinite();
   if (options.general_path) m_needs = everything_needed(std::move(m_needs), m_parts.settings);
-  if (m_needs.interiors) m_solids = std::make_unique<SolidIndex>(m_parts.objects);
+  m_solids = std::make_unique<SolidIndex>(m_parts.objects);
   m_light_buffers.resize(m_parts.lights.size());
 }
 

@@ -123,12 +123,12 @@ class Scene {
   const std::vector<std::unique_ptr<Object>>& objects() const { return m_parts.objects; }
   /// Objects whose inside holds the point (a ray may start there), scene order. Every solid
   /// counts, hollow ones and ones without an `interior` too; of the parts of one
-  /// union that share an interior only the first. Of scenes with interiors alone.
+  /// union that share an interior only the first.
   void containing(const Vec3& p, std::vector<const Object*>& out) const;
 
  private:
   SceneParts m_parts;
-  std::unique_ptr<SolidIndex> m_solids;  ///< null: the scene has no interiors
+  std::unique_ptr<SolidIndex> m_solids;
   std::unique_ptr<Hierarchy> m_hierarchy;
   const Accelerator m_accelerator;
   std::vector<std::unique_ptr<LightBuffer>> m_light_buffers;  ///< one a light, null where none

@@ -283,12 +283,15 @@ TEST(UnitCoreScene, ContainingFindsEverySolidInSceneOrder) {
     }
     return text;
   };
-  EXPECT_EQ(numbers({0.2, 0, 0}), "0 1 2 3 4 5 ");
-  EXPECT_EQ(numbers({-0.9, 0, 0}), "0 1 2 4 5 ");
-  EXPECT_EQ(numbers({1.4, 0, 0}), "0 2 3 5 ");
-  EXPECT_EQ(numbers({0, 4, 0}), "0 5 ");
-  EXPECT_EQ(numbers({20.5, 0.5, 0}), "");
-  EXPECT_EQ(numbers({30, 30, 0}), "5 ");
+  for (const char* way : {"all objects asked", "by the hierarchy"}) {
+    SCOPED_TRACE(way);
+    EXPECT_EQ(numbers({0.2, 0, 0}), "0 1 2 3 4 5 ");
+    EXPECT_EQ(numbers({-0.9, 0, 0}), "0 1 2 4 5 ");
+    EXPECT_EQ(numbers({1.4, 0, 0}), "0 2 3 5 ");
+    EXPECT_EQ(numbers({0, 4, 0}), "0 5 ");
+    EXPECT_EQ(numbers({20.5, 0.5, 0}), "");
+    EXPECT_EQ(numbers({30, 30, 0}), "5 ");
+  }
 }
 
 TEST(UnitCoreScene, TolerancesShrinkWithSmallScenes) {

@@ -121,7 +121,7 @@ class Parsing {
     }
     const auto found = values.find(name);
     if (found == values.end()) {
-      std::string known = " --no-scene-ini";
+      std::string known = " --help --version --no-scene-ini";
       for (const auto& entry : switches) known += " " + entry.first;
       for (const auto& entry : values) known += " " + entry.first;
       throw OptionError((switches.contains(name) ? "no value belongs to '" : "unknown option '") +
