@@ -275,7 +275,7 @@ TEST(UnitCoreHeightField, BlocksLeaveNothingOut) {
     const HeightField field(std::make_shared<const HeightGrid>(kWidth, kDepth, heights, false),
                             0.0);
     const auto corner = [&](int x, int z) {
-      return Vec3{x / (kWidth - 1.0), heights[static_cast<std::size_t>(z * kWidth + x)] / 65535.0,
+      return Vec3{x / (kWidth - 1.0), heights[static_cast<std::size_t>(z * kWidth + x)] / 65536.0,
                   z / (kDepth - 1.0)};
     };
     std::size_t met = 0, missed = 0, different = 0;
@@ -298,16 +298,9 @@ TEST(UnitCoreHeightField, BlocksLeaveNothingOut) {
       field.all(ray, 1e-9, kGeometrySolidsInf, hits);
       met += expected.size();
       for (const double t : expected) {
-        const bool gone = std::none_of(hits.begin(), hits.end(), [&](const ShapeHit& hit) {
+        missed += std::none_of(hits.begin(), hits.end(), [&](const ShapeHit& hit) {
           return std::fabs(hit.t - t) < 1e-6 * (1.0 + t);
         });
-        if (gone && missed < 6) {
-          std::printf("kind %d round %d t %.12g of %zu; found", kind, round, t, expected.size());
-          for (const ShapeHit& hit : hits) std::printf(" %.12g", hit.t);
-          std::printf(" from %g %g %g way %g %g %g\n", from.x, from.y, from.z, ray.direction.x,
-                      ray.direction.y, ray.direction.z);
-        }
-        missed += gone;
       }
       ShapeHit first;
       const bool is_met = field.nearest(ray, 1e-9, kGeometrySolidsInf, first);
