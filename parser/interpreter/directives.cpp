@@ -88,8 +88,9 @@ void Directives::execute_unmarked(const Token& word) {
 
 bool Directives::leave_frame() {
   Frame& frame = m_in.stream.top();
+  if (m_blocks.size() > frame.blocks)
+    missing_end(*m_blocks.back().opener);  // no piece ends in a block
   if (frame.next_piece(m_in.options.piece_tokens)) return true;
-  if (m_blocks.size() > frame.blocks) missing_end(*m_blocks.back().opener);
   if (frame.kind == FrameKind::kScene) return false;
   // Scopes hold symbols a description may still need nowhere: values are copied when read.
   m_in.symbols.pop_scope();

@@ -153,7 +153,8 @@ class Lexer {
 
     bool can_end_behind(const Token& last) {
       if (last.kind == TokenKind::kDirective) {
-        blocks += opens_block(last.keyword) - (last.keyword == Keyword::kEnd);
+        if (opens_block(last.keyword)) ++blocks;
+        if (last.keyword == Keyword::kEnd && blocks > 0) --blocks;
         return false;
       }
       if (last.kind != TokenKind::kPunct) return false;

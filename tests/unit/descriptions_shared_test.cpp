@@ -45,7 +45,7 @@ TEST(UnitDescriptionsShared, ATextureThatOnlyItsObjectMovesIsShared) {
       "#declare T = texture { pigment { checker } }; "
       "#for (I, 1, 2) sphere { 0, 1 texture { T } translate x*I scale 2 } #end "
       "sphere { 0, 1 texture { T } translate x scale 2 finish { phong 1 } }");
-  EXPECT_EQ(s.object(0).texture, s.object(1).texture);
+  EXPECT_EQ(s.object(0).texture->layers[0].pigment, s.object(1).texture->layers[0].pigment);
   EXPECT_TRUE(s.object(0).texture->layers[0].pigment->pattern.placement.empty());
   for (const std::size_t i : {0u, 2u}) {
     ObjectDesc object = s.object(i);
