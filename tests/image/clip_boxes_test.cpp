@@ -44,7 +44,6 @@ INSTANTIATE_TEST_SUITE_P(
     Fields, ImageClipBoxes,
     ::testing::Values(
         "quadric { <1,0,1>, 0, 0, -1" + kByField + "}",
-        "union { quadric { <1,.1,1>, 0, 0, -1 scale .9" + kByField + "} sphere { <2,0,-2>, .3 } }",
         "cylinder { -30*y, 30*y, 2.5 open" + kByField + "}",
         "torus { 2.5, 1 rotate 90*x" + kByField + "}",
         "intersection { quadric { <1,0,1>, 0, 0, -1 } plane { y, 5 }" + kByField + "}",
@@ -81,10 +80,20 @@ TEST(ImageClipBoxesList, HideNothing) {
 /// paperweight of the example advanced/desk.
 INSTANTIATE_TEST_SUITE_P(
     Discs, ImageClipBoxes,
-    ::testing::Values("intersection { sphere { -3*y, 5 } disc { 0, -y, 5.1 } }",
-                      "intersection { sphere { -3*y, 5 } disc { 0, -y, 5.1 } rotate 20*x }",
-                      "union { sphere { 3*y, .5 } intersection { sphere { -3*y, 5 } disc { 0, -y, "
-                      "5.1 } } }"));
+    ::testing::Values("intersection { sphere { -3*y, 5 } disc { 0, -y, 5.1 } }"));
+
+/// The boxes hide nothing here: a part of a union in the list has its own, and one that is turned grows.
+TEST(ImageClipBoxesList, TurnedAndInUnions) {
+  for (const std::string shape :
+       {"union { quadric { <1,.1,1>, 0, 0, -1 scale .9" + kByField + "} sphere { <2,0,-2>, .3 } }",
+        std::string("intersection { sphere { -3*y, 5 } disc { 0, -y, 5.1 } rotate 20*x }"),
+        std::string("union { sphere { 3*y, .5 } intersection { sphere { -3*y, 5 } disc { 0, -y, "
+                    "5.1 } } }")}) {
+    EXPECT_TRUE(looks_the_same("object { " + shape + " }")) << shape;
+    EXPECT_TRUE(looks_the_same("object { " + shape + " }" + kFloor)) << shape;
+    EXPECT_EQ(turned_away("object { " + shape + " }"), 0u) << shape;
+  }
+}
 
 /// Parts of a union of the list are objects of their own, with what they do not show or hide.
 TEST(ImageClipBoxesList, PartsOfUnionsKeepTheirLooks) {

@@ -467,7 +467,7 @@ Of sheets:
   --overlap O          of neighbouring tiles (10mm)
   --pitch P            the pitch that a test has measured: 39.87lpi or 0.637mm.
                        The strips are made of the views that the picture has.
-                       That is not exact: the error is reported, and the options of
+                       That is not exact: the error is given, and the options of
                        lentray that render it exactly
   --pixels N           pixels a lens, where the picture does not say
   --bits 8|16          a channel (as the picture has)
