@@ -1,22 +1,15 @@
 #include "core/scene/solid_index.h"
 
 #include <algorithm>
-#include <typeinfo>
-
-#include "core/object/gated.h"
-#include "core/object/leaf.h"
 
 namespace lentray::core {
 
-/// Of a shape whose solid has no end what lies beyond the box of its surface does not count: half of space is
-/// inside a disc. Of CSG all counts.
+/// Of solids without end what lies beyond the box of the surface does not count: half of space is inside a disc.
 SolidIndex::Solid SolidIndex::solid(std::size_t i) const {
   const Object& object = *m_objects[i];
-  const auto* gated = dynamic_cast<const Gated*>(&object);
-  const bool is_shape = typeid(gated ? gated->content() : object) == typeid(Leaf);
   Bounds box = object.solid_bounds();
   const Bounds surface = object.bounds();
-  if (is_shape && !box.is_finite() && surface.is_finite()) box.intersect(surface);
+  if (!box.is_finite() && surface.is_finite()) box.intersect(surface);
   return {&object, box, static_cast<std::uint32_t>(i)};
 }
 

@@ -18,7 +18,7 @@ class SolidIndex {
   /// Borrows the objects and their list.
   explicit SolidIndex(const std::vector<std::unique_ptr<Object>>& objects) : m_objects(objects) {}
 
-  /// Replaces `out`, scene order. Parts of a union that is split count each; shapes without end, such as the half
+  /// Replaces `out`, scene order. Parts of a union that is split count each; solids without end, such as the half
   /// of space behind a disc, count within the box of their surface.
   void containing(const Vec3& p, std::vector<const Object*>& out) const;
 
