@@ -59,8 +59,8 @@ class BlendMap {
  private:
   struct Entries {
     std::vector<double> values;
-    std::vector<double>
-        reach;  ///< the greatest so far: of entries out of order the first that reaches a value counts
+    /// The greatest so far: of entries out of order the first that reaches a value counts.
+    std::vector<double> reach;
     std::vector<Item> items;
   };
   std::shared_ptr<const Entries> m_entries;

@@ -10,7 +10,8 @@ namespace lentray::core {
 
 class SmoothTriangle final : public TriangleShape {
  public:
-  /// The longer a normal, the more it weighs: a transform changes their lengths. A degenerate triangle is allowed: nothing hits it.
+  /// The longer a normal, the more it weighs: a transform changes their lengths. A degenerate triangle is
+  /// allowed: nothing hits it.
   SmoothTriangle(const Vec3& a, const Vec3& na, const Vec3& b, const Vec3& nb, const Vec3& c,
                  const Vec3& nc);
 

@@ -130,10 +130,8 @@ struct TextureCompiler::Impl {
 
 /// Whether it is one colour everywhere, as most are.
 bool TextureCompiler::Impl::is_plain(const TextureDesc& texture) const {
-  const TextureLayerDesc& layer = texture.layers.front();
   return settings.quality > kQuickColourQuality && texture.layers.size() == 1 &&
-         !layer.is_patterned() && !layer.normal &&
-         layer.pigment->pattern.kind == PatternKind::kPlain;
+         texture.layers.front().is_plain();
 }
 
 core::TexturePtr TextureCompiler::Impl::compile_plain(const TextureLayerDesc& layer) {

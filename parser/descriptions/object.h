@@ -64,8 +64,8 @@ struct ObjectDesc {
   // Looks and bounds have been moved by the transforms that followed them in the statement.
   Ref<TextureDesc> texture;  ///< null: inherited, at last the default texture
   Sparse<RareParts> rare;
-  bool texture_waits =
-      false;  ///< `transform` has still to move `texture`, which many objects may share
+  /// `transform` has still to move `texture`, which many objects may share.
+  bool texture_waits = false;
   bool bounds_are_clips = false;  ///< bounded_by { clipped_by } or the other way round
 
   bool inverse = false;

@@ -9,10 +9,9 @@ namespace {
 
 bool is_plain(const Ref<TextureDesc>& texture) {
   if (!texture) return true;
-  return std::all_of(texture->layers.begin(), texture->layers.end(), [](const TextureLayerDesc& l) {
-    return !l.is_patterned() && l.pigment->pattern.kind == PatternKind::kPlain && !l.normal &&
-           !l.finish->subsurface;
-  });
+  return std::all_of(
+      texture->layers.begin(), texture->layers.end(),
+      [](const TextureLayerDesc& layer) { return layer.is_plain() && !layer.finish->subsurface; });
 }
 
 struct SimpleShape {

@@ -64,9 +64,8 @@ bool can_wait(const TextureDesc& texture) {
 }
 
 bool is_placeless(const TextureDesc& texture) {
-  return std::all_of(texture.layers.begin(), texture.layers.end(), [](const TextureLayerDesc& l) {
-    return !l.is_patterned() && !l.normal && l.pigment->pattern.kind == PatternKind::kPlain;
-  });
+  return std::all_of(texture.layers.begin(), texture.layers.end(),
+                     [](const TextureLayerDesc& layer) { return layer.is_plain(); });
 }
 
 Ref<TextureDesc> layered(Ref<TextureDesc> below, Ref<TextureDesc> above) {

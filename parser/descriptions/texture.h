@@ -21,6 +21,10 @@ struct TextureLayerDesc {
   Sparse<PatternDesc> pattern;
   Ref<TextureMapDesc> map;
   bool is_patterned() const { return map != nullptr; }
+  /// One colour everywhere, and the surface's own normal.
+  bool is_plain() const {
+    return !is_patterned() && !normal && pigment->pattern.kind == PatternKind::kPlain;
+  }
 };
 
 struct TextureDesc {

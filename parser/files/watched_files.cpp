@@ -7,6 +7,7 @@
 #include <xxhash.h>
 
 namespace lentray::parser {
+
 std::uint64_t checksum(std::string_view bytes) { return XXH3_64bits(bytes.data(), bytes.size()); }
 
 std::optional<std::uint64_t> file_checksum(const std::string& path) {

@@ -468,11 +468,10 @@ class Lexer {
   // At a `<`: numbers as most stand in a text, without comments, up to a `>` are one token where it can only
   // begin a vector. Nothing is read otherwise.
   bool vector() {
-    constexpr std::size_t kMost = 5, kOfMatrix = 12;
     const std::size_t at_token = m_tokens->size();
     if (!expects_operand(at_token)) return false;
     const bool is_matrix = at_token > 0 && (*m_tokens)[at_token - 1].is(Keyword::kMatrix);
-    const std::size_t most = is_matrix ? kOfMatrix : kMost;
+    const std::size_t most = is_matrix ? Token::kOfMatrix : Token::kMostOfVector;
     std::vector<double>& components = m_list->components;
     const std::size_t start = m_pos, first = components.size();
     bool ends_in_number;

@@ -87,8 +87,9 @@ struct Token {
   bool is(Keyword k) const { return kind == TokenKind::kKeyword && keyword == k; }
   bool is(Punct p) const { return kind == TokenKind::kPunct && punct == p; }
   /// A `<` that stands for a whole vector, or for the numbers of a matrix (TokenList::components).
-  bool is_literal_vector() const { return is(Punct::kLess) && name > 0 && name <= 5; }
-  bool is_literal_matrix() const { return is(Punct::kLess) && name == 12; }
+  static constexpr NameId kMostOfVector = 5, kOfMatrix = 12;  ///< components
+  bool is_literal_vector() const { return is(Punct::kLess) && name > 0 && name <= kMostOfVector; }
+  bool is_literal_matrix() const { return is(Punct::kLess) && name == kOfMatrix; }
 };
 static_assert(sizeof(Token) == 24, "scenes have millions of them");
 

@@ -20,8 +20,8 @@ struct Frame {
   const Token* cursor = nullptr;
   const Token* end = nullptr;
   NameId name = 0;  ///< of the macro
-  std::unique_ptr<TokenPieces>
-      pieces;              ///< of a long file, whose piece at hand `list` is; else null
+  /// Of a long file, whose piece at hand `list` is; else null.
+  std::unique_ptr<TokenPieces> pieces;
   Location call;           ///< where the macro was invoked, the file included
   std::size_t blocks = 0;  ///< open conditionals and loops when the frame began
 
