@@ -29,7 +29,7 @@ struct InMedia {
     return 3.0 * photons / (4.0 * std::numbers::pi * radius * radius * radius);
   }
   static double radius(double photons, double density) {
-    constexpr double kAThird = 0.3333;  // as stock rounds it
+    constexpr double kAThird = 0.3333;  // measured so, not 1 / 3
     return std::pow(3.0 * photons / (density * std::numbers::pi * 4.0), kAThird);
   }
 };

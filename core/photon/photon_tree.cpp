@@ -57,7 +57,7 @@ class Selection {
         return;
       }
     }
-    // As in stock the greater of two comes first.
+    // The greater of two comes first.
     if (end - begin == kAPair && !(at(begin[0]) > at(begin[1]))) std::swap(begin[0], begin[1]);
   }
 

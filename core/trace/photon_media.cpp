@@ -62,7 +62,7 @@ void PhotonMedia::pass(const Piece& piece, const PhotonShot& shot, MediaDraws& d
       draws.next += static_cast<std::uint64_t>(steps.count);
       continue;
     }
-    // An interval too short for a step dims light by what is in its middle. In stock it makes the
+    // An interval too short for a step dims light by what is in its middle. It makes the
     // photon's power not a number.
     const int places = std::max(steps.count, 1);
     Rgb sum;

@@ -27,7 +27,7 @@ constexpr double kPhase = 1.0 / 4.0;  ///< isotropic, times pi as POV-Ray's ligh
 /// A place that sends on less of its light is dark: 300 such places of white light are not seen.
 constexpr float kFaint = 1e-5f;
 
-/// What passes a surface from outside. As in stock, all where nothing does.
+/// What passes a surface from outside: all where nothing does.
 double transmittance(double cosine, double ior) {
   if (ior * ior + cosine * cosine < 1.0) return 1.0;
   return 1.0 - fresnel(cosine, ior);
