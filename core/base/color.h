@@ -1,4 +1,4 @@
-// Colours as POV-Ray has them: red, green, blue, and two kinds of transparency.
+// Colours: red, green, blue, and two kinds of transparency.
 // Linear light; no range is enforced. Source: reference manual 3.7, "Specifying Colors".
 #pragma once
 

@@ -1,4 +1,4 @@
-// Affine transforms as POV-Ray writes them: row vectors, p' = p * M, so that statements
+// Affine transforms of row vectors, p' = p * M, so that statements
 // compose from left to right. A transform carries its inverse.
 // Source: reference manual 3.7, "Transformations"; matrix order as in `matrix <...>`.
 #pragma once

@@ -14,7 +14,7 @@ constexpr double kNothing = 0.05, kThin = 0.7;
 constexpr double kThinFactor = 20.0;  ///< how much thin places enlarge the radius
 
 /// The density of photons about a place, and the radius that as many have at a density. The order of the
-/// operations is stock's: so many photons as make 70 % of the mean are a common case, on which side of it
+/// operations is fixed: so many photons as make 70 % of the mean are a common case, on which side of it
 /// rounding decides.
 struct OnSurface {
   static double density(double photons, double radius) {

@@ -56,8 +56,8 @@ Visibility PlainShadowTester::search(const ShadowQuery& query) {
   return {filter_through(query, buffer, spot, reach), nullptr};
 }
 
-/// Of surfaces at one distance comes first that of the object whose box the ray enters first, as
-/// in stock: what is left before what is entered. Then the scene's order; so the answer does not
+/// Of surfaces at one distance comes first that of the object whose box the ray enters first:
+/// what is left before what is entered. Then the scene's order; so the answer does not
 /// depend on who found them.
 void PlainShadowTester::order_ties(const Ray& ray) {
   bool tied = false;
