@@ -1,6 +1,6 @@
-// A volume that holds all points an object may darken: up to four planes through the light along its
-// outline, and one that it lies behind, in floats. A point that is outside by more than all rounding,
-// of these numbers and of the objects' own tests, needs no test; of a point inside nothing is known.
+// The shadow volume of an object and a light, in floats: up to four planes through the light along the
+// object's outline, and one between the two. A point outside by more than all rounding, of these numbers
+// and of the object's own test, cannot be in its shadow. A point inside must be tested.
 // Relative to the light, in world units. Immutable, any number of threads.
 // Held to the objects' tests by tests/unit/accel_light_volume_test.cpp.
 #pragma once
@@ -15,14 +15,14 @@
 
 namespace lentray::core {
 
-/// All zero: nothing is outside.
+/// All zero: every point is inside.
 struct alignas(64) LightVolume {
   float x[4] = {}, y[4] = {}, z[4] = {};  ///< of the planes' normals, which point inwards; lengths
                                           ///< at most 1, not much less
   float plane[4] = {};                    ///< normal, away from the light; less its distance
 };
 
-/// A point ready to be asked for.
+/// A point prepared for tests against volumes.
 class LightProbe {
  public:
   /// `w`: the largest part of `point`. `t_min`: a shadow ray from there must go farther.

@@ -1,4 +1,4 @@
-// Colours as POV-Ray has them: red, green, blue, and two kinds of transparency.
+// Colours: red, green, blue, and two kinds of transparency.
 // Linear light; no range is enforced. Source: reference manual 3.7, "Specifying Colors".
 #pragma once
 
@@ -49,10 +49,10 @@ struct Rgb {
   constexpr bool is_black() const { return r == 0.0f && g == 0.0f && b == 0.0f; }
 };
 
-/// Luminance weights that POV-Ray uses for grey: 0.297, 0.589, 0.114.
+/// Luminance weights of grey: 0.297, 0.589, 0.114.
 constexpr float grey(const Rgb& c) { return 0.297f * c.r + 0.589f * c.g + 0.114f * c.b; }
 
-/// By which stock decides whether samples need another between them.
+/// Decides whether samples need another between them.
 inline double difference(const Rgb& a, const Rgb& b) {
   return std::fabs(a.r - b.r) + std::fabs(a.g - b.g) + std::fabs(a.b - b.b);
 }

@@ -3,7 +3,7 @@
 
 namespace lentray::core {
 
-/// Lengths, cosines and shares below it are taken for 0, as POV-Ray takes them.
+/// Lengths, cosines and shares below it are taken for 0.
 inline constexpr double kTiny = 1e-10;
 
 }  // namespace lentray::core

@@ -101,7 +101,7 @@ Transform Transform::axis_rotation(const Vec3& axis, double radians) {
   const double c = std::cos(radians), s = std::sin(radians);
   for (int i = 0; i < 3; ++i) {
     const int next = (i + 1) % 3, last = (i + 2) % 3;
-    // In stock's order of operations: scenes see the last bit.
+    // The order of operations is fixed: scenes see the last bit.
     t.m_rows[i][i] = a[i] * a[i] + c * (1.0 - a[i] * a[i]);
     t.m_rows[i][next] = a[i] * a[next] * (1.0 - c) + a[last] * s;
     t.m_rows[i][last] = a[i] * a[last] * (1.0 - c) - a[next] * s;

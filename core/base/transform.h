@@ -1,4 +1,4 @@
-// Affine transforms as POV-Ray writes them: row vectors, p' = p * M, so that statements
+// Affine transforms of row vectors, p' = p * M, so that statements
 // compose from left to right. A transform carries its inverse.
 // Source: reference manual 3.7, "Transformations"; matrix order as in `matrix <...>`.
 #pragma once
@@ -18,7 +18,7 @@ class Transform {
 
   static Transform translation(const Vec3& by);
   static Transform scaling(const Vec3& by);  ///< a component 0 must be replaced by the caller
-  /// Degrees about x, then y, then z, left-handed as POV-Ray has it.
+  /// Degrees about x, then y, then z, left-handed.
   static Transform rotation(const Vec3& degrees);
   /// Radians about an axis (need not be unit; a null axis gives the identity).
   static Transform axis_rotation(const Vec3& axis, double radians);

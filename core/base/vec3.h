@@ -52,7 +52,7 @@ struct Vec3 {
 /// Product of the components one by one.
 constexpr Vec3 scaled(const Vec3& a, const Vec3& b) { return {a.x * b.x, a.y * b.y, a.z * b.z}; }
 constexpr double dot(const Vec3& a, const Vec3& b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
-/// Right-handed formula; in POV-Ray's left-handed axes x cross y is still z.
+/// Right-handed formula; in left-handed axes x cross y is still z.
 constexpr Vec3 cross(const Vec3& a, const Vec3& b) {
   return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
 }
@@ -61,7 +61,7 @@ inline double length(const Vec3& v) { return std::sqrt(dot(v, v)); }
 /// The unit vector along v; the null vector stays null.
 inline Vec3 normalized(const Vec3& v) {
   const double l = length(v);
-  return l > 0.0 ? v * (1.0 / l) : Vec3{};  // to stock's last bit: scenes compare such numbers
+  return l > 0.0 ? v * (1.0 / l) : Vec3{};  // scenes compare its last bit
 }
 inline bool is_finite(const Vec3& v) {
   return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);

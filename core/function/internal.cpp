@@ -107,7 +107,7 @@ const InternalFormula* formula_of(std::string_view name) {
   return nullptr;
 }
 
-// f_pattern has no pattern when it is called by itself: 0, as in stock.
+// f_pattern has no pattern when it is called by itself: 0.
 class Internal final : public Function {
  public:
   explicit Internal(const Entry& entry) : m_entry(entry) {

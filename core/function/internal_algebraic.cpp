@@ -70,7 +70,7 @@ double dupin_cyclid(const double* a) {
            4.0 * r2 * r2 * (along * (along - r2) + squared(minor * q.y)) + squared(r2 * r2)));
 }
 
-// In stock the fractions 2/3, 1/4, 8/9 and 2/9 of the formula are 0 (integers): so they are here.
+// The fractions 2/3, 1/4, 8/9 and 2/9 of the formula count as 0.
 double enneper(const double* a) {
   const Q q(a);
   // Only where z divides it is kept away from zero.

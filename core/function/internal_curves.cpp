@@ -51,7 +51,7 @@ double folium_surface_2d(const double* a) {
   return limited(q, -q.y2 * (1.0 + (q.p[2] - 4.0 * q.p[1]) * q.x) - q.x2 * (1.0 + q.p[2]));
 }
 
-// Stock multiplies by P2 where the name suggests P1: values are its.
+// P2 multiplies where the name suggests P1.
 double kampyle_of_eudoxus_2d(const double* a) {
   const FormulaPoint q = in_plane(a, 3);
   return limited(q, squared(q.p[2]) * q.x2 * (q.x2 - q.p[1] * q.p[2]) - q.y2);

@@ -48,7 +48,7 @@ constexpr bool is_arithmetic(FunctionOp op) {
 /// operators, those that allow for rounding are not among them.
 double apply(FunctionOp op, double a, double b);
 
-/// To a whole number as stock has them, 32 bits, towards zero; what does not fit, infinities and
+/// To a whole number of 32 bits, towards zero; what does not fit, infinities and
 /// nan become the smallest.
 inline int to_int(double x) {
   constexpr int kSmallest = std::numeric_limits<int>::min();

@@ -34,7 +34,7 @@ Dither::Offset Dither::offset(std::uint32_t x, std::uint32_t y) const {
     case DitherMethod::bayer3: return {{}, bayer(kBayer3, x, y)};
     case DitherMethod::bayer4: return {{}, bayer(kBayer4, x, y)};
     case DitherMethod::line: return {m_last, 0.0f};
-    // The first pixel of a row still reads the row above, as in stock: lacks() turns to the next row.
+    // The first pixel of a row still reads the row above: lacks() turns to the next row.
     case DitherMethod::plane:
     case DitherMethod::floyd_steinberg: return {m_this[x + 1], 0.0f};
   }

@@ -9,7 +9,7 @@
 namespace lentray::core {
 namespace {
 
-/// As stock distinguishes normals: a component differs by more.
+/// Normals are different where a component differs by more.
 constexpr double kSameNormal = 1e-6;
 
 bool is_same(const Vec3& a, const Vec3& b) {

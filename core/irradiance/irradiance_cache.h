@@ -1,9 +1,8 @@
 // What a radiosity pass leaves to the picture: the samples of every depth, and which of them each pixel
 // is to see. World space, colours linear. Constant once the pass is over: any number of threads reads it.
 //
-// Stock makes samples while it makes the picture, where none are found. The pass does so beforehand, pixel
-// by pixel in stock's order, and the picture repeats what it did: a pixel sees the samples there were then,
-// and is answered by what was gathered for it.
+// The pass makes samples where none are found, pixel by pixel in a fixed order, and the picture repeats
+// what it did: a pixel sees the samples there were then, and is answered by what was gathered for it.
 #pragma once
 
 #include <cstdint>

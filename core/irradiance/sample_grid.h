@@ -29,7 +29,7 @@ class SampleGrid {
   void near(const ReuseQuery& query, std::size_t limit, Take&& take) const;
   std::size_t bytes() const;
 
-  /// Places are told from there, as stock does: it decides how they are rounded.
+  /// Places are measured from there: it decides how they are rounded.
   static constexpr double kOrigin = -1e7;
   static Vec3 beyond_origin(const Vec3& point) { return point - Vec3(kOrigin); }
 

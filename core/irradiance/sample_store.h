@@ -1,8 +1,8 @@
 // The samples of a scene, found by place. World space, colours linear. Samples are added in order and
 // keep it. Reading is thread-safe while nobody adds.
 //
-// Stock keeps samples in an octree whose cells reach half a side beyond themselves, and sees a sample from
-// within its cell alone, also where it would reach farther: pictures depend on it, so it holds here.
+// Samples lie in the cells of an octree that reach half a side beyond themselves. A sample is seen from
+// within its cell alone, also where it would reach farther: pictures depend on it.
 #pragma once
 
 #include <cmath>

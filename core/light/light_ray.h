@@ -50,7 +50,7 @@ inline Rgb light_colour(const Light& light, const Vec3& from, const LightRay& ra
   return light.colour * static_cast<float>(light_attenuation(light, from, ray));
 }
 
-/// Nothing worth tracing a shadow for (stock's threshold).
+/// Nothing worth tracing a shadow for (measured, as above).
 inline bool is_dark(const Rgb& c) {
   constexpr float kDark = 1e-10f;
   if (!(std::fabs(c.r) < kDark)) [[likely]]

@@ -67,7 +67,7 @@ std::optional<RayPart> in_cylinder(const Light& light, const Ray& ray) {
   // What lies behind the light is dark.
   const bool starts_ahead = axis.at(part.from) > 0.0, ends_ahead = axis.at(part.to) > 0.0;
   if (!starts_ahead && !ends_ahead) return std::nullopt;
-  if (!starts_ahead) part.from = 0.0;  // as stock: not where the axis begins
+  if (!starts_ahead) part.from = 0.0;  // not where the axis begins
   if (!ends_ahead) part.to = -axis.start / axis.speed;
   return part;
 }

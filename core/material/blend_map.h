@@ -1,7 +1,7 @@
 // A blend map: values in ascending order, each with what holds there; between two of them the
-// blend. Looked up exactly as stock does: below the first the first holds, from the last on the
+// blend. Below the first the first holds, from the last on the
 // last; of equal values the first is met from below and the last from above; a value equal to an
-// entry's is that entry alone. Values are single precision, as in stock.
+// entry's is that entry alone. Values are single precision.
 // Copies share the entries: a map that many pigments have is held once.
 // Source: reference manual 3.7, "Color Maps"; compared with stock by image.patterns.
 #pragma once

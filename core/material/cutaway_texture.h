@@ -1,6 +1,6 @@
 // The texture of a surface that has none of its own in a CSG with cutaway_textures: the mean of the
 // textures of those parts that the point is inside of; of a difference, or its first part, only
-// the first. Where there is no such part nothing holds, and the surface is black, as in stock.
+// the first. Where there is no such part nothing holds, and the surface is black.
 // World space. Immutable; the objects it asks belong to the scene and live as long.
 // Source: reference manual 3.7, "Cutaway Textures"; measured on stock (tests/image/cutaway_test.cpp).
 #pragma once

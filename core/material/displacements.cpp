@@ -128,7 +128,7 @@ class Facets final : public Displacement {
   }
   double distance(const Vec3& d) const {
     if (m_metric == 2.0) return length_squared(d);
-    if (m_metric == 1.0) return d.x + d.y + d.z;  // signed, as stock has it
+    if (m_metric == 1.0) return d.x + d.y + d.z;  // signed
     return std::pow(std::fabs(d.x), m_metric) + std::pow(std::fabs(d.y), m_metric) +
            std::pow(std::fabs(d.z), m_metric);
   }

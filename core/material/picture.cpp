@@ -155,7 +155,7 @@ class MaterialMap final : public Texture {
       number = static_cast<std::size_t>(entry ? *entry
                                               : whole_of(m_picture->colour(*place).rgb.r * 255.0f));
     }
-    // Stock counts round only beyond the number of textures, and stops at the last.
+    // Counts round only beyond the number of textures, and stops at the last.
     if (number > m_textures.size()) number %= m_textures.size();
     m_textures[std::min(number, m_textures.size() - 1)]->resolve(point, surface, weight, out);
   }

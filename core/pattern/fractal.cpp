@@ -107,7 +107,7 @@ class FractalPattern final : public Pattern {
       case 3: return z.im * factor;
       case 4: return z.re * z.re * factor;
       case 5: return z.im * z.im * factor;
-      case 6: return z.re * z.re + z.im * z.im * factor;  // the factor counts once, as in stock
+      case 6: return z.re * z.re + z.im * z.im * factor;  // the factor counts once
       default: return 0.0;
     }
   }

@@ -16,7 +16,7 @@ constexpr double kGoldenPart = 1.0 / kGolden;
 /// Of a right angle's fifth, 18 degrees, times n.
 inline double sine_of_fifths(int n) { return std::sin(n * std::numbers::pi / 10.0); }
 inline double cosine_of_fifths(int n) { return std::cos(n * std::numbers::pi / 10.0); }
-/// In stock the values of neighbouring levels do not touch.
+/// The values of neighbouring levels do not touch.
 constexpr double kGoldenTrace = 1e-6;
 
 /// The point of its mirror images and turns by 72 degrees that is at most 36 degrees above the x axis.

@@ -45,7 +45,7 @@ class Wave {
 
   double apply(double value) const {
     if (frequency != 0.0) {
-      // Stock wraps a little above 1, so that a pattern that ends at 1 keeps its last colour.
+      // It wraps a little above 1, so that a pattern that ends at 1 keeps its last colour.
       constexpr double kWrap = 1.00001;
       value = value * frequency + phase;
       if (!(std::fabs(value) < kWrap)) value = std::fmod(value, kWrap);

@@ -43,7 +43,7 @@ class RepeatWarp final : public Warp {
       : m_axis(axis), m_width(width), m_flip(flip), m_offset(offset) {}
   Vec3 inwards(const Vec3& point, const SurfaceContext&) const override {
     Vec3 p = point;
-    // Counted in single precision, as stock does: it shows far from the origin.
+    // Counted in single precision: it shows far from the origin.
     const auto block = static_cast<float>(std::floor(p[m_axis] / m_width));
     p[m_axis] -= block * m_width;
     if (static_cast<std::int64_t>(block) & 1) {

@@ -115,7 +115,7 @@ double quilt_curve(double t, double control0, double control1) {
 }
 
 Vec3 quilt_offset(const Vec3& point, double control0, double control1) {
-  // Whole negative coordinates belong to the cell below, as in stock.
+  // Whole negative coordinates belong to the cell below.
   const auto place = [](double v) {
     const double cell = v >= 0.0 ? std::floor(v) : -std::floor(-v) - 1.0;
     return v - cell - 0.5;

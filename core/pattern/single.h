@@ -1,4 +1,4 @@
-// Rounding to single precision and back. Stock keeps many parameters so; scenes tuned on it see it.
+// Rounding to single precision and back. Many parameters are kept so, which shows in pictures.
 #pragma once
 
 namespace lentray::core {

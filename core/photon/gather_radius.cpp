@@ -14,7 +14,7 @@ constexpr double kNothing = 0.05, kThin = 0.7;
 constexpr double kThinFactor = 20.0;  ///< how much thin places enlarge the radius
 
 /// The density of photons about a place, and the radius that as many have at a density. The order of the
-/// operations is stock's: so many photons as make 70 % of the mean are a common case, on which side of it
+/// operations is fixed: so many photons as make 70 % of the mean are a common case, on which side of it
 /// rounding decides.
 struct OnSurface {
   static double density(double photons, double radius) {
@@ -29,7 +29,7 @@ struct InMedia {
     return 3.0 * photons / (4.0 * std::numbers::pi * radius * radius * radius);
   }
   static double radius(double photons, double density) {
-    constexpr double kAThird = 0.3333;  // as stock rounds it
+    constexpr double kAThird = 0.3333;  // measured so, not 1 / 3
     return std::pow(3.0 * photons / (density * std::numbers::pi * 4.0), kAThird);
   }
 };

@@ -12,7 +12,7 @@ constexpr float kBlack = 1e-32f;
 constexpr int kHalfTurn = 127;  ///< bytes of pi
 
 std::uint8_t mantissa(float channel) {
-  // A channel below 0 wraps around as in stock.
+  // A channel below 0 wraps around.
   return static_cast<std::uint8_t>(static_cast<int>(std::max(channel, -1e6f)));
 }
 

@@ -27,7 +27,7 @@ struct Photon {
 static_assert(sizeof(Photon) == 20);
 
 /// Mantissas of the channels, cut off, and the exponent they share, biased by 250. The greatest channel lies
-/// in 1e-32 .. 32: less is black, more wraps around, as in stock.
+/// in 1e-32 .. 32: less is black, more wraps around.
 std::array<std::uint8_t, 4> packed(const Rgb& power);
 Rgb unpacked(const std::array<std::uint8_t, 4>& rgbe);
 

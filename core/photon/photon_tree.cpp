@@ -40,8 +40,8 @@ std::size_t widest_axis(const Photon* begin, const Photon* end) {
 }
 
 /// Quickselect with a median of three: changes the order of photons so that the wanted one parts lesser
-/// coordinates from greater ones. In which order it leaves the others decides in part what stock's radius
-/// is, so it moves the same photons as stock.
+/// coordinates from greater ones. In which order it leaves the others decides in part what the radius
+/// of gathering is, so the steps of the selection are fixed.
 class Selection {
  public:
   explicit Selection(std::size_t axis) : m_axis(axis) {}
@@ -57,7 +57,7 @@ class Selection {
         return;
       }
     }
-    // As in stock the greater of two comes first.
+    // The greater of two comes first.
     if (end - begin == kAPair && !(at(begin[0]) > at(begin[1]))) std::swap(begin[0], begin[1]);
   }
 

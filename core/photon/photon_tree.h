@@ -1,9 +1,9 @@
 // The photons nearest to a point. World space. Built once, then const: many threads ask.
 // A balanced k-d tree in an array: the photon in the middle of a range splits it in two, on the axis along
 // which the range is widest, down to single photons. So there are no pointers, and the order in which
-// photons are met, on which stock's choice depends in part (see find()), is that of stock.
-// Source: Jensen, "Realistic Image Synthesis Using Photon Mapping"; stock's choice as tests/unit/
-// photon_test.cpp has it.
+// photons are visited, on which the choice depends in part (see find()), is fixed.
+// Source: Jensen, "Realistic Image Synthesis Using Photon Mapping"; the choice is measured in
+// tests/unit/photon_test.cpp.
 #pragma once
 
 #include <array>
@@ -22,7 +22,7 @@ struct PhotonSearch {
   const Vec3* normal;
   double radius;     ///< nearer than this
   std::size_t most;  ///< so many, at least 1
-  /// Slower, and now and then another photon is missed: exactly stock's search.
+  /// Slower, and now and then another photon is missed.
   bool one_by_one = false;
 };
 
@@ -59,7 +59,7 @@ class PhotonTree {
   const std::vector<Photon>& photons() const { return m_photons; }
   const Photon& operator[](std::uint32_t number) const { return m_photons[number]; }
 
-  /// The nearest. As in stock, where there are more than wanted, the farthest of those that were met first
+  /// The nearest. Where there are more than wanted, the farthest of those that were visited first
   /// makes room for the next, also if that is farther.
   void find(const PhotonSearch& search, FoundPhotons& found) const;
 

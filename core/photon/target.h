@@ -14,7 +14,7 @@ constexpr bool photons_go_on(std::optional<bool> object, std::optional<bool> lig
 }
 
 struct PhotonTarget {
-  Vec3 centre;                                 ///< of the ball about stock's box of the object
+  Vec3 centre;                                 ///< of the ball about the box of the object
   double radius = 0.0;                         ///< of that ball
   double factor = 1.0;                         ///< of the spacing of photons
   std::optional<bool> reflection, refraction;  ///< empty: not said

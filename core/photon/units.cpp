@@ -105,7 +105,7 @@ PhotonAim photon_aim(const Light& light, const Vec3& from, const Vec3& centre) {
 Ray photon_ray(const Light& light, const Vec3& from, const Vec3& centre, double out, double turn) {
   const PhotonAim aim = photon_aim(light, from, centre);
   const Vec3& axis = light.parallel ? light.direction : aim.along;
-  // In stock's order of operations: rounding decides which of two photons of a plane the map parts first.
+  // The order of operations is fixed: rounding decides which of two photons of a plane the map parts first.
   const Transform turned = Transform::axis_rotation(axis, turn);
   if (!light.parallel) {
     return {from, turned.point(aim.left * -std::sin(out) + axis * std::cos(out))};

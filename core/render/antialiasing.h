@@ -37,7 +37,7 @@ struct Compared {
 /// From the scene's working space to where colours are compared: brightness as the eye has it.
 class ComparedSpace {
  public:
-  /// `working_gamma` 0: the working space is sRGB. Scenes that say none have 1 here, as in stock.
+  /// `working_gamma` 0: the working space is sRGB. Scenes that say none have 1 here.
   ComparedSpace(double gamma, double working_gamma)
       : m_is_srgb(working_gamma == 0.0),
         m_power(static_cast<float>(gamma > 0.0 ? (m_is_srgb ? 1.0 : working_gamma) / gamma : 1.0)),

@@ -40,8 +40,8 @@ class Sampler {
     return true;
   }
 
-  /// `index`: of the samples of a pixel, for its random numbers. Without a ray black and, as in
-  /// stock, clear; false if no ray at all belongs to the place. Premultiplied.
+  /// `index`: of the samples of a pixel, for its random numbers. Without a ray black and
+  /// clear; false if no ray at all belongs to the place. Premultiplied.
   bool sample(const PixelPlace& place, std::uint32_t index, Radiance& out);
 
  private:

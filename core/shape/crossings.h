@@ -15,7 +15,7 @@ struct Crossing {
 /// The elements of cones and cylinders.
 inline constexpr std::uint32_t kSide = 0, kBase = 1, kCap = 2;
 /// How far outside a point still counts as inside of an open one, and the reverse of a closed one, relative to
-/// radius and length; as in stock.
+/// radius and length.
 inline constexpr double kRoundTolerance = 1e-10;
 
 /// The first of `count` crossings, sorted by t, with t_min < t < t_max.

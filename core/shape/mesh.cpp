@@ -4,7 +4,7 @@
 
 namespace lentray::core {
 namespace {
-constexpr double kSelf = 1e-6;                // stock's least depth of a mesh's crossings
+constexpr double kSelf = 1e-6;                // least depth of a mesh's crossings
 constexpr std::size_t kLargestBaked = 20000;  // faces; building twice costs more than moving rays
 }  // namespace
 

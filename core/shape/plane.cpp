@@ -2,7 +2,7 @@
 
 namespace lentray::core {
 namespace {
-constexpr double kOnSurface = 1e-10;  // stock's tolerance
+constexpr double kOnSurface = 1e-10;  // how far from the plane a point still lies on it
 }
 
 Plane::Plane(const Vec3& normal, double distance)

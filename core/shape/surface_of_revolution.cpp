@@ -12,7 +12,7 @@
 namespace lentray::core {
 namespace {
 
-constexpr double kNoCap = 1e-4;  ///< stock's: flat ends of a smaller r^2 are left out
+constexpr double kNoCap = 1e-4;  ///< flat ends of a smaller r^2 are left out
 
 /// Of r^2 with the height, from the neighbours of a point.
 double steepness(const Vec2& before, const Vec2& at, const Vec2& after) {

@@ -2,7 +2,7 @@
 // another: that of a source in the solid and of one outside that makes up for the surface. Lengths in mm, one
 // channel. Immutable.
 // Source: Jensen, Marschner, Levoy, Hanrahan: "A Practical Model for Subsurface Light Transport", SIGGRAPH
-// 2001, equation 4. Without its division by pi: POV-Ray's lights are as much brighter.
+// 2001, equation 4. Without its division by pi: lights are as much brighter.
 #pragma once
 
 #include <cmath>

@@ -1,5 +1,5 @@
 // The light that a camera ray brings, or another ray (core/trace/follow.h): recursive (Whitted) ray
-// tracing with POV-Ray's shading model. World space; colours linear. One a thread.
+// tracing. World space; colours linear. One a thread.
 // Source: reference manual 3.7, "Finish", "Interior", "Global Settings"; constants measured on stock
 // with tests/image.
 #pragma once

@@ -9,7 +9,7 @@
 namespace lentray::core {
 
 bool LightLoop::pass_projector(const Object& projector, ShadowQuery& query) const {
-  constexpr double kClear = 1e-3;  ///< stock's: nothing so near before the projector counts
+  constexpr double kClear = 1e-3;  ///< nothing so near before the projector counts
   Hit hit;
   if (!projector.nearest(query.ray, kMinHitDistance * m_scene.tolerance_scale(), query.distance,
                          hit, m_context.arena)) {

@@ -50,7 +50,7 @@ struct LightSource {
   const LightBuffer* buffer;  ///< null: the hierarchy answers for it
 };
 
-/// The lights that light something: two lists of their indices, in stock's order.
+/// The lights that light something: two lists of their indices, in the order in which they are summed up.
 using LightLists = std::array<std::span<const std::uint32_t>, 2>;
 
 /// A light that may reach a point.

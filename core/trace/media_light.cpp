@@ -97,7 +97,7 @@ class MediaLight::Probe final : public MediaProbe {
   Rgb going_on(const Rgb& light, const Vec3& from) const {
     return m_directed ? light * phase(dot(from, m_state.ray.direction)) : light;
   }
-  /// The mean of all media, also of those that do not scatter: as in stock.
+  /// The mean of all media, also of those that do not scatter.
   float phase(double cosine) const {
     double sum = 0.0;
     for (const Medium* medium : m_owner.m_media) sum += medium->phase(cosine);

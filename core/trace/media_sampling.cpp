@@ -99,7 +99,7 @@ void sample_at_random(const SamplingPlan& plan, MediaProbe& probe,
 void sample_adaptively(const SamplingPlan& plan, MediaProbe& probe,
                        std::span<MediaInterval> intervals) {
   const int parts = std::max(plan.sampling.min_samples / 2 + 1, 2);
-  // As in stock: the last sample lies a step before the interval's end.
+  // The last sample lies a step before the interval's end.
   const double step = 1.0 / (parts + 1);
   for (MediaInterval& interval : intervals) {
     Adaptive adaptive(plan, probe, interval);

@@ -62,8 +62,8 @@ void PhotonMedia::pass(const Piece& piece, const PhotonShot& shot, MediaDraws& d
       draws.next += static_cast<std::uint64_t>(steps.count);
       continue;
     }
-    // An interval too short for a step dims light by what is in its middle. In stock it makes the
-    // photon's power not a number.
+    // An interval too short for a step dims light by what is in its middle; divided by
+    // its steps, the photon's power would not be a number.
     const int places = std::max(steps.count, 1);
     Rgb sum;
     for (int i = 0; i < places; ++i) {

@@ -193,7 +193,7 @@ void PhotonPath::see_layer(const TextureLayer& layer, const Meeting& at, const L
   if (layer.normal) context.normal = layer.normal->perturb(place, at.normal, context);
   const Vec3 normal = layer.normal ? context.normal : at.normal;
   if (layers.mirrors.empty()) layers.top_normal = normal;
-  // As in stock a layer's own colour has been through those above it when it filters.
+  // A layer's own colour has been through those above it when it filters.
   colour.rgb *= layers.filter;
   const double ior = finish.reflection_fresnel
                          ? relative_ior(at.interior(), m_context.interiors, leg.inside,
@@ -262,7 +262,7 @@ void PhotonPath::mirror(const Meeting& at, const Vec3& normal, Leg onward) {
   follow(onward);
 }
 
-/// As in stock all layers reflect by the normal of the lowest that was seen.
+/// All layers reflect by the normal of the lowest that was seen.
 void PhotonPath::mirror_layers(const Meeting& at, const Layers& layers, bool total_reflection,
                                const Leg& leg) {
   const Vec3 lowest_normal = layers.mirrors.back().normal;

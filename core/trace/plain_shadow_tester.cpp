@@ -10,9 +10,9 @@
 #include "core/scene/scene.h"
 #include "core/scene/tolerances.h"
 #include "core/trace/illumination.h"
+#include "core/trace/open_air.h"
 #include "core/trace/reflectance.h"
 #include "core/trace/refraction.h"
-#include "core/trace/segment.h"
 #include "core/trace/surface_textures.h"
 
 namespace lentray::core {
@@ -56,8 +56,8 @@ Visibility PlainShadowTester::search(const ShadowQuery& query) {
   return {filter_through(query, buffer, spot, reach), nullptr};
 }
 
-/// Of surfaces at one distance comes first that of the object whose box the ray enters first, as
-/// in stock: what is left before what is entered. Then the scene's order; so the answer does not
+/// Of surfaces at one distance comes first that of the object whose box the ray enters first:
+/// what is left before what is entered. Then the scene's order; so the answer does not
 /// depend on who found them.
 void PlainShadowTester::order_ties(const Ray& ray) {
   bool tied = false;
@@ -161,7 +161,7 @@ Rgb PlainShadowTester::left_by_interiors(const Segment& way) {
   return m_attenuation.left(m_media_here, way);
 }
 
-// As in stock media of the air dim the way to a surface in solids that are not hollow too.
+// Media of the air dim the way to a surface in solids that are not hollow too.
 Rgb PlainShadowTester::left_by_air(const Segment& way) {
   const Atmosphere& air = m_context.scene.atmosphere();
   m_media_here.clear();

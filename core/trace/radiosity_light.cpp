@@ -242,7 +242,7 @@ void RadiosityLight::shoot() {
       if (!m_has_gathered) m_importance = record.seen.importance;
     }
     depth.qualities[i] = m_quality;
-    // As in stock, what the last ray of gathers on its way met counts for a ray.
+    // What the last ray of gathers on its way met counts for a ray.
     record.seen.importance = m_importance;
   }
   --m_depth;

@@ -135,7 +135,7 @@ void RayStepper::add_mirrors(const LayerSum& sum, bool total_reflection, const S
   }
 }
 
-/// What translucent layers let through without scattering it. As in stock these rays lie in no interior.
+/// What translucent layers let through without scattering it. These rays lie in no interior.
 [[gnu::noinline]] void RayStepper::add_unscattered(const Surface& at, ShadingBuffers& buffers,
                                                    RayRecord& record) {
   for (const UnscatteredRay& through : buffers.unscattered) {

@@ -68,7 +68,7 @@ inline double phong_intensity(const Finish& finish, const LayerLight& on) {
   const Vec3 mirrored = on.eye + on.normal * (-2.0 * dot(on.eye, on.normal));
   const double cosine = dot(mirrored, on.towards_light);
   if (!(cosine > 0.0)) return 0.0;
-  // Below 0.0008 a high power underflows; stock cuts it there.
+  // Below 0.0008 a high power underflows: it is cut there.
   if (finish.phong_size >= 60.0 && cosine <= 0.0008) return 0.0;
   return finish.phong * power(cosine, finish.phong_size);
 }

@@ -43,7 +43,7 @@ inline std::optional<Vec3> refracted(const Vec3& incoming, Vec3 normal, double i
 }
 
 /// For the Fresnel term: the ior behind the surface over the ior before it. Leaving a nested object
-/// compares with the innermost interior, which is most often the object itself, as in stock.
+/// compares with the innermost interior, which is most often the object itself.
 double relative_ior(const InteriorEntry& entry, const InteriorTable& table, InteriorsId inside,
                     double atmosphere_ior);
 

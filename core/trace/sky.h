@@ -4,7 +4,7 @@
 // With +UA (SceneSettings::alpha) what is seen is as opaque as sky and background are, premultiplied; before
 // #version 3.7 it is clear, whatever they are. Behind a mirror the background is always opaque.
 // Source: reference manual 3.7, "Background", "Sky Sphere"; scenes below #version 3.7 filter by
-// the older rule, as stock does. Measured on stock: tests/image/file_types_test.cpp.
+// the older rule: tests/image/file_types_test.cpp.
 #pragma once
 
 #include "core/base/vec3.h"

@@ -1,6 +1,6 @@
 // Which interiors a camera ray starts in. World space. One a thread: it remembers the answer for
 // the last start, since most cameras start all rays at one point.
-// Every solid counts, also one without an `interior` statement: stock has it so, and it changes
+// Every solid counts, also one without an `interior` statement: it changes
 // the Fresnel term within nested objects.
 #pragma once
 

@@ -23,11 +23,11 @@ namespace {
 constexpr int kMostScattered = 2;      ///< from here on nothing is seen of a ray's subsurface light
 constexpr double kLeastCosine = 0.01;  ///< at which a place is seen from below: limits its area
 constexpr double kDirections = 0.75, kDepths = 0.25;  ///< even_ones()
-constexpr double kPhase = 1.0 / 4.0;  ///< isotropic, times pi as POV-Ray's lights are
+constexpr double kPhase = 1.0 / 4.0;                  ///< isotropic, times pi as lights are
 /// A place that sends on less of its light is dark: 300 such places of white light are not seen.
 constexpr float kFaint = 1e-5f;
 
-/// What passes a surface from outside. As in stock, all where nothing does.
+/// What passes a surface from outside: all where nothing does.
 double transmittance(double cosine, double ior) {
   if (ior * ior + cosine * cosine < 1.0) return 1.0;
   return 1.0 - fresnel(cosine, ior);

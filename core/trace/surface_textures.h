@@ -8,7 +8,7 @@
 namespace lentray::core {
 
 /// Appends the layered textures at a hit with their weights (sum 1). `from_behind`: the ray
-/// leaves the surface's solid. Shares of a face below `least` are left out, as stock does.
+/// leaves the surface's solid. Shares of a face below `least` are left out.
 void textures_at(const SurfaceContext& surface, bool from_behind, double least,
                  WeightedTextures& out);
 /// Where the textures of a surface are asked: its point, or (u, v, 0) under uv_mapping.

@@ -11,7 +11,7 @@
 
 namespace lentray::core {
 
-/// How far a ray goes that meets nothing, as in stock.
+/// How far a ray goes that meets nothing.
 inline constexpr double kOpenAir = 2e10;
 
 /// Both change `light`, which enters at the segment's far end, into what leaves at the ray's origin.

@@ -1,4 +1,4 @@
-#include "core/trace/segment.h"
+#include "core/trace/open_air.h"
 
 #include <algorithm>
 #include <cmath>
