@@ -114,11 +114,11 @@ figures() {
        --orders rows,views,columns --caches last --accelerators bvh,grid --sizes 1,3,5,7
        --repeats 0 --gains gains.csv'
 
-  $1 polynomials docs/stability.md '(5 min)' 'python3 tests/stability/polynomials.py'
-  $1 shapes docs/stability.md '(1 h)' 'python3 tests/stability/shapes.py'
-  $1 media docs/stability.md '(5 min)' \
+  $1 polynomials docs/stability/tables.md '(5 min)' 'python3 tests/stability/polynomials.py'
+  $1 shapes docs/stability/tables.md '(1 h)' 'python3 tests/stability/shapes.py'
+  $1 media docs/stability/tables.md '(5 min)' \
     'python3 tests/stability/media.py build/release/bin/lentray --write'
-  $1 lens-models docs/stability.md '(1 min)' \
+  $1 lens-models docs/stability/tables.md '(1 min)' \
     'python3 tests/stability/lens_models.py build/release/bin/lentray --write'
   $1 noisy-scenes docs/media.md '(10 min)' \
     'python3 tests/bench/noisy_scenes.py build/release/bin/lentray --write'
