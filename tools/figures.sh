@@ -49,7 +49,7 @@ figures() {
      lentray $V +A0.1 +Oout/edges.png; lentray $V +A0.1 Antialias_Angle=8 +Oout/angles.png;
      oiiotool out/plain.png --cut 80x60+60+40 out/edges.png --cut 80x60+60+40
        out/angles.png --cut 80x60+60+40 --mosaic:pad=1 3x1
-       --resize:filter=box 1452x360 -o docs/antialiasing.png'
+       --resize:filter=box 1452x360 -o docs/antialiasing.png' docs/antialiasing.png
   $1 print-pictures docs/print.md '(5 min)' \
     'lentray scenes/demo.pov Lenticular=On Lens_LPI=40 Lens_Thickness=1.9mm Lens_IOR=1.57
        Sheet_Width=100mm Sheet_Height=75mm Print_DPI=600 View_Distance=40cm +A0.1 +Oout/sheet.png;
