@@ -312,7 +312,7 @@ lens's surface, so that P = 2R is the widest lens, a half circle. Pixels of the 
   parts of a round lens bend light more. It stays within {pinhole_worst} pixels in all of these settings.
 - **Blur** is the larger part of the error: wide lenses do not focus. One ray is then sharper than the real
   sheet, and no antialiasing brings this back.
-- **Near total reflection**, which the outer parts of lenses meet from two thirds of the widest on, rays are dark:
+- **Near total reflection**, which the outer parts of lenses reach from two thirds of the widest on, rays are dark:
   in the outer pixels of the widest lenses a quarter of them. The cheaper models show these pixels too bright
   by as much.
 

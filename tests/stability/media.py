@@ -478,7 +478,7 @@ Hard settings, 64 samples. Every medium is even:
 {hard}
 
 - Walls thinner than 1e-4, and an eye nearer than that to a wall, are lost: a ray that starts on a
-  surface does not meet another one so near. Stock loses the same ones.
+  surface does not hit another one so near. Stock loses the same ones.
 - A ray remembers 24 containers, one in another. It forgets what lies in more.
 
 Light that must not be seen, 64 samples. The error counts the whole picture; the last column is the
