@@ -293,7 +293,7 @@ def draw(all_sweeps, path):
             + "\n".join(plots), data, path)
 
 
-SECTION = """`thick` follows K rays a pixel through a round surface ([lens.md](../lens.md#formulae)). The other
+SECTION = """`thick` follows K rays a pixel through a round surface ([lens/formulae.md](../lens/formulae.md)). The other
 two models have one ray each. An error here is how far that ray is from the mean of {points} rays of the
 thick lens: the root of the mean square over the pixels of a lens, or the largest. *Blur* is the spread of
 the thick lens's own rays (rms), which neither model has. V is infinite. *Pixels of the print* are steps of
