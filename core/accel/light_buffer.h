@@ -42,7 +42,7 @@ class LightBuffer {
     /// A convex object that no ray from there to the light hits, since the point is on its lit side; or null.
     const Object* unmet = nullptr;
   };
-  /// Written in place, but for `unmet`: who copied it at once would wait for it.
+  /// Fills `spot`, but for `unmet`. It is filled in place, since a copy right after the stores would stall.
   void locate(const Vec3& point, Spot& spot) const;
   /// True where the buffer may answer for a point at that distance from the light: not too near for its
   /// rounding, nor where so many objects lie behind one another that the hierarchy is faster.
@@ -50,8 +50,8 @@ class LightBuffer {
 
   struct Answer {
     const Object* blocker = nullptr;
-    /// No other object of the cell was asked but such whose volumes and, for spheres, cones the point is
-    /// outside of. A plane, and what covers the cell, are.
+    /// The blocker is the first object of the cell whose shadow volume (for spheres: cone) contains the point, or a
+    /// plane, or what covers the whole cell.
     bool foreseen = false;
   };
   /// As Hierarchy::any_opaque, for a ray from the point of `spot` to the light: t_min is the
