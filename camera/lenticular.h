@@ -5,7 +5,7 @@
 // before the sheet, measured along d, so objects in front of the sheet are recorded too.
 // With a finite V the sheet has no power vertically, so there the eye's own perspective holds.
 // Everything that depends on the column alone lies in a table.
-// Source: docs/lens.md, "Formulae"; Snell's law (camera/lens_sheet.h).
+// Source: docs/lens/formulae.md; Snell's law (camera/lens_sheet.h).
 #pragma once
 
 #include <optional>

@@ -6,7 +6,7 @@
 // n ps/(f P) z/(1 + z/V): ps is a pixel of the print, z in mm. A pixel of the print is seen from a range
 // of directions n ps/f wide, which draws a point out by as much. So what moves by at most a pixel a
 // view is as sharp as lenses can show it. With V infinite that is a depth of 2 N t/n in all.
-// Sources: docs/lens.md, "Formulae"; pop3dart.com, "What is the main figure of merit of your lenticular
+// Sources: docs/lens/formulae.md; pop3dart.com, "What is the main figure of merit of your lenticular
 // printing technology"; on depth of field as the band that views hold: M. Zwicker, W. Matusik, F. Durand,
 // H. Pfister, "Antialiasing for Automultiscopic 3D Displays" (2006).
 #pragma once

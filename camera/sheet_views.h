@@ -9,7 +9,7 @@
 //
 // A Quilt puts the pictures of cameras side by side: the first one lower left, from there to the
 // right and upwards. Looking Glass displays want the leftmost camera first.
-// Immutable, any number of threads. Source: docs/lens.md, "Formulae"; docs/views.md.
+// Immutable, any number of threads. Source: docs/lens/formulae.md; docs/views.md.
 #pragma once
 
 #include <memory>

@@ -4,7 +4,7 @@
 // model, where its ray leaves the lens), Y the row's height. It goes along
 // (T/cos a + m_y tan a) r + d + m_y u, m_y = Y/V + eye_slope_y, T by the model (camera/slanted_sheet.h).
 // A pixel's area is its lens's width by the row's height, along the lens.
-// Source: docs/lens.md, "Slanted sheets".
+// Source: docs/lens/formulae.md, "Slanted sheets".
 #pragma once
 
 #include <optional>

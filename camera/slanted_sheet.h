@@ -9,7 +9,7 @@
 // Light leaves the sheet at the height of its pixel's row, and towards the eyes' line, which is level:
 // its slope along y is that of the row. Its slope T across the lens is the lens model's. The two
 // give its slope along x: T / cos a + m_y tan a.
-// Immutable, any number of threads. Source: docs/lens.md, "Slanted sheets";
+// Immutable, any number of threads. Source: docs/lens/formulae.md, "Slanted sheets";
 // tests/unit/camera_slanted_sheet_test holds the rays, tests/image/slanted_sheets_test the pictures.
 #pragma once
 

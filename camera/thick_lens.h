@@ -12,7 +12,7 @@
 // perpendicular to the lenses, a ray's rise grows with its slope across them (SlopeAlong).
 //
 // Units: mm; slopes are tangents against the sheet's normal. Positive offsets look towards +right.
-// Immutable, any number of threads. Source: Snell's law in vector form; docs/lens.md, "Formulae";
+// Immutable, any number of threads. Source: Snell's law in vector form; docs/lens/formulae.md;
 // tests/unit/camera_thick_lens_test holds the rays, tests/image/thick_lens_test the pictures.
 #pragma once
 

@@ -6,7 +6,7 @@
 // row's height Y is that where the light leaves the sheet. The line starts lens_front before the
 // sheet. A ray that shows nothing is black and counts as the others do.
 // ray(), ray_at() and sight() have the ray through the lens's vertex.
-// Source: docs/lens.md, "Formulae".
+// Source: docs/lens/formulae.md.
 #pragma once
 
 #include "camera/lenticular.h"

@@ -49,7 +49,7 @@ figures() {
      lentray $V +A0.1 +Oout/edges.png; lentray $V +A0.1 Antialias_Angle=8 +Oout/angles.png;
      oiiotool out/plain.png --cut 80x60+60+40 out/edges.png --cut 80x60+60+40
        out/angles.png --cut 80x60+60+40 --mosaic:pad=1 3x1
-       --resize:filter=box 1452x360 -o docs/antialiasing.png'
+       --resize:filter=box 1452x360 -o docs/antialiasing.png' docs/antialiasing.png
   $1 print-pictures docs/print.md '(5 min)' \
     'lentray scenes/demo.pov Lenticular=On Lens_LPI=40 Lens_Thickness=1.9mm Lens_IOR=1.57
        Sheet_Width=100mm Sheet_Height=75mm Print_DPI=600 View_Distance=40cm +A0.1 +Oout/sheet.png;
@@ -114,11 +114,11 @@ figures() {
        --orders rows,views,columns --caches last --accelerators bvh,grid --sizes 1,3,5,7
        --repeats 0 --gains gains.csv'
 
-  $1 polynomials docs/stability.md '(5 min)' 'python3 tests/stability/polynomials.py'
-  $1 shapes docs/stability.md '(1 h)' 'python3 tests/stability/shapes.py'
-  $1 media docs/stability.md '(5 min)' \
+  $1 polynomials docs/stability/tables.md '(5 min)' 'python3 tests/stability/polynomials.py'
+  $1 shapes docs/stability/tables.md '(1 h)' 'python3 tests/stability/shapes.py'
+  $1 media docs/stability/tables.md '(5 min)' \
     'python3 tests/stability/media.py build/release/bin/lentray --write'
-  $1 lens-models docs/stability.md '(1 min)' \
+  $1 lens-models docs/stability/tables.md '(1 min)' \
     'python3 tests/stability/lens_models.py build/release/bin/lentray --write'
   $1 noisy-scenes docs/media.md '(10 min)' \
     'python3 tests/bench/noisy_scenes.py build/release/bin/lentray --write'

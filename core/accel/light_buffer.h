@@ -1,10 +1,10 @@
 // The light buffer of one point light (Haines & Greenberg 1986): directions from the light in
 // cells, and for each cell the objects that may darken something there, near ones first. Beyond
-// what wholly covers a cell nothing is kept: all is dark there, whatever else stands in it.
+// an object that covers a whole cell nothing is stored: all is dark there.
 // Only where to look is taken from it; what blocks a ray is decided by the objects' own tests, or
 // is certain by a margin far above rounding, so that answers are those of the hierarchy.
 // World space. Immutable once built; any number of threads.
-// Held to the hierarchy's answers by tests/unit/accel_light_buffer_test.cpp.
+// Test: tests/unit/accel_light_buffer_test.cpp.
 #pragma once
 
 #include <array>
@@ -30,7 +30,7 @@ class LightBuffer {
   /// To be built: nothing else may be asked for before.
   explicit LightBuffer(const Vec3& light);
 
-  /// True if so much stands behind one another that the hierarchy is the better choice.
+  /// True if so many objects lie behind one another that the hierarchy is faster.
   bool crowded() const { return m_crowded; }
   struct Cell;   ///< of a face
   struct Entry;  ///< an object that may darken something in a cell
@@ -39,19 +39,19 @@ class LightBuffer {
     const Cell* cell = nullptr;  ///< null: nothing finite can darken the point
     double w = 0.0;
     bool known = false;  ///< it was asked for
-    /// An object that no ray from there to the light meets, for it starts on its outside; or null.
+    /// A convex object that no ray from there to the light hits, since the point is on its lit side; or null.
     const Object* unmet = nullptr;
   };
-  /// Written in place, but for `unmet`: who copied it at once would wait for it.
+  /// Fills `spot`, but for `unmet`. It is filled in place, since a copy right after the stores would stall.
   void locate(const Vec3& point, Spot& spot) const;
   /// True where the buffer may answer for a point at that distance from the light: not too near for its
-  /// rounding, nor where so much stands behind one another that the hierarchy is the better choice.
+  /// rounding, nor where so many objects lie behind one another that the hierarchy is faster.
   bool serves(const Spot& spot, double distance) const;
 
   struct Answer {
     const Object* blocker = nullptr;
-    /// No other object of the cell was asked but such whose volumes and, for spheres, cones the point is
-    /// outside of. A plane, and what covers the cell, are.
+    /// The blocker is the first object of the cell whose shadow volume (for spheres: cone) contains the point, or a
+    /// plane, or what covers the whole cell.
     bool foreseen = false;
   };
   /// As Hierarchy::any_opaque, for a ray from the point of `spot` to the light: t_min is the

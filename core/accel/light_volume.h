@@ -1,8 +1,8 @@
-// The shadow volume of an object and a light, in floats: up to four planes through the light along the
-// object's outline, and one between the two. A point outside by more than all rounding, of these numbers
-// and of the object's own test, cannot be in its shadow. A point inside must be tested.
+// The shadow volume of an object and a point light: up to four planes through the light along the object's outline, and
+// one plane between light and object, in floats. A point outside by more than all rounding is certainly not in the
+// object's shadow, and the object is not tested. A point inside may be in shadow.
 // Relative to the light, in world units. Immutable, any number of threads.
-// Held to the objects' tests by tests/unit/accel_light_volume_test.cpp.
+// Test: tests/unit/accel_light_volume_test.cpp.
 #pragma once
 
 #include <algorithm>
@@ -15,18 +15,18 @@
 
 namespace lentray::core {
 
-/// All zero: every point is inside.
+/// All zero: nothing is outside.
 struct alignas(64) LightVolume {
   float x[4] = {}, y[4] = {}, z[4] = {};  ///< of the planes' normals, which point inwards; lengths
                                           ///< at most 1, not much less
   float plane[4] = {};                    ///< normal, away from the light; less its distance
 };
 
-/// A point prepared for tests against volumes.
+/// A point, prepared for tests against many volumes.
 class LightProbe {
  public:
-  /// `w`: the largest part of `point`. `t_min`: a shadow ray from there must go farther.
-  /// `reach`: of the volumes; beyond, nothing is outside.
+  /// `w`: the largest component of `point`. `t_min`: the least distance of a hit along a shadow ray.
+  /// `reach`: of the volumes; beyond it no point is outside.
   LightProbe(const Vec3& point, double w, double t_min, double reach)
       : m_x(simd::float4(static_cast<float>(point.x))),
         m_y(simd::float4(static_cast<float>(point.y))),
@@ -42,8 +42,7 @@ class LightProbe {
   }
 
  private:
-  /// Of w: rounding in floats comes to less than half of it, that in doubles, which a volume must
-  /// be sure of, to less than a quarter.
+  /// A share of w: rounding in floats is less than half of it, rounding in doubles less than a quarter.
   static constexpr float kSlack = 0x1p-19f;
 
   /// A hit that is farther than t_min along the ray is farther behind the point than the share
@@ -60,24 +59,23 @@ class LightProbe {
   float m_w, m_t_min;
 };
 
-/// Makes volumes: of one light's objects, for points not farther than `reach`. `distance`: of the object's
-/// box from the light.
+/// Makes the volumes of one light, for points within `reach` of it. `distance`: from the light to the object's box.
 class LightVolumes {
  public:
   explicit LightVolumes(double reach);
   double reach() const { return m_reach; }
 
   LightVolume triangle(const Vec3& a, const Vec3& b, const Vec3& c, double distance) const;
-  /// To a volume, by the ends of its edges in pairs and its plane, dot(normal, x) = offset, normal of
-  /// length 1. Edges count where it is a convex polygon of at most four.
+  /// Adds a polygon: the ends of its edges in pairs, and its plane dot(normal, x) = offset, normal of length 1. Only
+  /// convex polygons of at most four edges have planes along their outline.
   void polygon(std::span<const Vec3> edge_ends, const Vec3& normal, double offset, double distance,
                LightVolume& volume) const;
   LightVolume sphere(const Vec3& centre, double radius, double distance) const;
-  /// A cone or a cylinder, by its ends' middles and radii.
+  /// A cone or a cylinder: centres and radii of its ends.
   LightVolume cone(const Vec3& a, double radius_a, const Vec3& b, double radius_b,
                    double distance) const;
-  /// To a volume, of a box that may be turned, by its corners as add_corners() has them: a side along each of
-  /// four edges, where that leaves less than `area`, seen at distance 1, and the face that shows largest.
+  /// Adds a box, rotated or not, with corners in the order of add_corners(): the face that appears largest, and planes
+  /// along four edges where they leave a cross-section less than `area` at distance 1.
   void box(std::span<const Vec3> corners, double distance, double area, LightVolume& volume) const;
 
  private:
@@ -85,7 +83,7 @@ class LightVolumes {
   void set_plane(LightVolume& volume, const Vec3& normal, double offset, double far) const;
 
   double m_reach;
-  double m_least;  ///< size times distance that is sure
+  double m_least;  ///< least size times distance that rounding permits
 };
 
 }  // namespace lentray::core

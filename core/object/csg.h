@@ -34,17 +34,17 @@ class Csg final : public Object {
   Bounds void_bounds() const override;
   Ball solid_ball() const override;
 
-  /// The operation once `inverse` is applied. Only kUnion may be split into its parts.
+  /// After `inverse`: what it works as. Only kUnion may be split into its parts.
   CsgKind kind() const { return m_kind; }
   const std::vector<std::unique_ptr<Object>>& children() const { return m_children; }
-  /// `split_union off`: the parts are not handed to the hierarchy one by one; they are one solid.
+  /// `split_union off`: its parts stay together, and count as one solid.
   void keep_whole() { m_kept_whole = true; }
   bool is_kept_whole() const { return m_kept_whole; }
   /// For the scene compiler, which hands an unclipped top-level union's parts to the hierarchy.
   std::vector<std::unique_ptr<Object>> take_children() { return std::move(m_children); }
 
  private:
-  /// A child's boxes. Rays and points outside them need no test of the child.
+  /// A child's boxes, with which most rays and points are decided without the child.
   struct Fence {
     Bounds surface;  ///< of its surface, cut by what the siblings leave of it
     Bounds decide;   ///< where inside() must be asked; elsewhere the answer is `beyond`
@@ -58,7 +58,7 @@ class Csg final : public Object {
   static constexpr std::size_t kHidden = kNobody - 1, kOverlap = kNobody - 2;
   bool is_special() const { return m_core - kOverlap < 2; }
 
-  /// Calls visit(child, t_max&, chord) for the children that the ray may meet.
+  /// Calls visit(child, t_max&, chord) for the children that the ray may hit.
   template <bool kHides, class Visit>
   void for_children_met(const Ray& ray, double t_min, double t_max, const RayQuery& query,
                         Visit&& visit) const;
@@ -107,10 +107,10 @@ class Csg final : public Object {
   std::string_view m_name;
   Bounds m_surface, m_solid, m_void;  ///< before own clips
   bool m_kept_whole = false;
-  bool m_asks_boxes = true;  ///< rays are tested against children's boxes first
-  /// Of an intersection of few parts: a closed one that contains the result.
-  /// kHidden: of a union or merge, some rays do not see some parts.
-  /// kOverlap: an intersection of many convex parts, or the inverse of one. Else kNobody.
+  bool m_asks_boxes = true;  ///< of few children; false where their own tests are as quick
+  /// The index of a closed part that contains all of an intersection of few parts. Else kNobody;
+  /// kHidden where parts of a union or merge are invisible to some rays; kOverlap for an intersection of
+  /// many convex parts, and for the inverse of one.
   std::size_t m_core = kNobody;
   mutable std::vector<Fence> m_fences;  ///< one a child; of many that are joined, made by search()
   std::unique_ptr<Search> m_search;     ///< where there are many children

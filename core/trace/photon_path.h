@@ -2,7 +2,7 @@
 // what it leaves where it arrives. At each surface all of it is reflected and all of it refracted, by what
 // the surface says; chance has no part. World space; power linear. One a thread.
 // Source: reference manual 3.7, "Photons"; replays stock's files of photons
-// (tests/image/photon_file_test.cpp). What the manual leaves open is in docs/global.md.
+// (tests/image/photon_file_test.cpp). What the manual leaves open is in docs/global/method.md.
 #pragma once
 
 #include <cstdint>

@@ -1,6 +1,6 @@
-// The order in which an object was placed and clipped, kept as far as stock's boxes depend on it: a ball stays a
-// ball until it is stretched, the box of a turned CSG or text is turned again, a quadric's box is found when it is clipped.
-// Nothing is kept of objects with a usual history. Geometry comes later, see stock_box.h.
+// The order of an object's transforms and clips, as far as POV-Ray's bounding box depends on it. A sphere has the box of
+// a sphere until it is stretched. The box of a rotated CSG or text is rotated again. A quadric's box is computed when
+// the quadric is clipped. Most objects need no record. stock_box.h computes the boxes.
 // Source: measured on stock (tests/compat/language/objects.cases, extents.cases). Errors: none. One thread.
 #pragma once
 
@@ -21,12 +21,12 @@ enum class TransformKind {
 struct TransformStep {
   const core::Transform& transform;
   bool keeps_balls;  ///< translate, rotate, or scale alike along all axes
-  bool scales;       ///< lengths are to be worked out anew
+  bool scales;       ///< lengths must be computed anew
 };
 TransformStep step_of(TransformKind kind, const core::Transform& transform);
 
-/// To be called for each step before it is added to the object's transform. `since`: what came in between and is not
-/// yet in that. Triangles in the object change at once (triangle_steps.h).
+/// To be called for each step before it is added to the object's transform. `since`: earlier steps that are not yet in
+/// the object's transform. Triangles in the object change at once (triangle_steps.h).
 void note_step(ObjectDesc& object, const core::Transform& since, const TransformStep& step);
 
 /// To be called for a `clipped_by` once the object has it.

@@ -1,6 +1,6 @@
-// The box stock keeps for a quadric: found when the quadric is clipped or cut by its siblings in an
-// intersection, from its equation without products of two coordinates and from what those leave.
-// Some boxes are smaller than the surface, which pictures show, too. Space: the equation's.
+// POV-Ray's bounding box of a quadric that is clipped or intersected. It follows from the box of the clipping objects
+// and from the quadric's equation, if that has no products of two coordinates. Some boxes are smaller than the surface,
+// and cut it off in pictures. Space: the equation's.
 // Source: measured on stock (tests/compat/language/extents.cases). Errors: none. Threads: any.
 #pragma once
 
@@ -18,8 +18,7 @@ bool has_products(const std::array<double, 10>& c);
 /// Cones and hyperboloids of one sheet; for an equation without products.
 bool is_open_all_around(const std::array<double, 10>& c);
 
-/// Of the surface within `limits`, for an equation without products. Where nothing is known it is
-/// `limits`.
+/// The box of the surface within `limits`, for an equation without products; `limits` where none follows from it.
 core::Bounds quadric_box(const std::array<double, 10>& c, const core::Bounds& limits);
 
 }  // namespace lentray::parser

@@ -1,7 +1,6 @@
-// The box that min_extent() and max_extent() answer with: stock's bounding box, which scenes lean on
-// where they place one object beside another. It is a box of boxes: a turned object has the box of
-// its turned box, a CSG the box of its parts' boxes; what bounds or clips it lends its own box if that
-// is smaller. In the space of the scene, single precision.
+// POV-Ray's bounding box, which min_extent() and max_extent() return; scenes use it to place objects beside each other.
+// A rotated object has the box of its rotated box. A CSG has the box of its parts' boxes. A smaller box of a bounding or
+// clipping object replaces the object's own. World space, single precision.
 // Source: measured on stock (tests/compat/language/objects.cases, extents.cases).
 #pragma once
 
@@ -12,14 +11,14 @@ namespace lentray::parser {
 
 /// Infinite sides are at +-1e10. `is_whole` becomes false if parts have no geometry yet.
 core::Bounds stock_box(const ObjectDesc& object, bool& is_whole);
-/// The same as stock keeps it: single precision of a corner and of the lengths of the sides. The
-/// far corner, which is their sum, is not rounded.
+/// The same as POV-Ray stores it: the near corner and the lengths of the sides in single precision. The far corner is
+/// their sum, not rounded.
 core::Bounds kept_stock_box(const ObjectDesc& object, bool& is_whole);
 core::Bounds kept_stock_box(const core::Bounds& box);
-/// False: what bounds or clips the object has no part in its box, which stock finds later: that of blobs,
-/// height fields and julia fractals in their own braces.
+/// False for blobs, height fields and julia fractals: POV-Ray computes their boxes after their own braces, without
+/// the objects that bound or clip them.
 bool heeds_regions(const ObjectDesc& object);
-/// Less than 0 for some boxes that are inside out, as stock counts.
+/// As POV-Ray computes it: less than 0 for some boxes whose corners are swapped.
 inline double volume(const core::Bounds& b) {
   const core::Vec3 size = b.hi - b.lo;
   return size.x * size.y * size.z;

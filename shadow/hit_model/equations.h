@@ -1,5 +1,5 @@
 // The paper's closed forms of hits, equations 6 to 19, as they are printed, with what print and text
-// leave open decided as docs/paper.md says. How far they are from the truth is enumeration.h's to
+// leave open decided as docs/paper/equations.md says. How far they are from the truth is enumeration.h's to
 // say. (Equations 1 to 5 are what hits and misses cost.)
 //
 // The paper: Youssef, Aggoun, Wolf, McCormick, "Pixels Grouping and Shadow Cache for Faster

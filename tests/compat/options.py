@@ -382,8 +382,8 @@ povray-jupyter, Emacs's pov-mode, povrayer, Spack. Each shows the same with stoc
 | `Rendering frame 2 of 10` | before each picture of an animation, once; stock tells the first one twice |
 | `==== [Parsing...] ====`, `==== [Rendering...] ====` | yes |
 | `File 'a.pov' line 3: Parse Error: ...`, `... Parse Warning: ...` | file and line as stock's; the message is lentray's. It stays on one line, where stock breaks it at 80 columns. The lines behind it tell the column (` in column 5`, with the one blank that stock's second lines begin with), the scene's line with a caret, and the includes and macros |
-| `Parse Error: ...`, `Parse Warning: ...` | what has no place in the scene, as a scene that is not there. Once rendering has begun: `Render Error: ...`, `Render Warning: ...` |
-| `Possible Parse Error: ...` | no: a file that is not there is a Parse Error |
+| `Parse Error: ...`, `Parse Warning: ...` | what has no place in the scene, as a missing scene. Once rendering has begun: `Render Error: ...`, `Render Warning: ...` |
+| `Possible Parse Error: ...` | no: a missing file is a Parse Error |
 | `Fatal error in parser: Cannot parse input.`, `Render failed` | behind an error; while rendering it is `Fatal error in renderer: The picture is not whole.` |
 | `Problem with option setting` and the command line | before what is wrong with an option, where lentray is called as povray |
 | `Render cancelled by user`, `POV-Ray finished` | the last line, an empty one behind it |
@@ -395,7 +395,7 @@ povray-jupyter, Emacs's pov-mode, povrayer, Spack. Each shows the same with stoc
 Statuses are stock's: 0, 1 for what failed, 2 for what was stopped. `-V` leaves out the first row
 alone. The five texts go to the console and to files as stock's do: the first three rows and the
 ends of a run belong to none of the five, come with `-GA` too, and go to no file. But an error is
-told whatever `-GF` and `-GA` say."""
+reported whatever `-GF` and `-GA` say."""
 
 KNOWN = {
     "ends.ini": "status 1, as the manual says; stock has 0",
@@ -460,6 +460,7 @@ def compare(line, args, folder):
 
 def document(results):
     out = ["# Options, line by line", "",
+           "For those whose scripts call POV-Ray. Does lentray do the same for this command line?", "",
            "Each line was run by stock POV-Ray 3.7 and by lentray (`tests/compat/options.py`): same exit status, same",
            "files, and pictures that a viewer shows alike (exact, but for jitter and JPEG). What an option means: `lentray",
            "--help=all` or the manual page. Differences that stay have their reason.", ""]

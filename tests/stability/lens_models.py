@@ -1,7 +1,7 @@
 """The lens models paraxial and pinhole beside the model thick: where each may be used.
 
   python3 tests/stability/lens_models.py LENTRAY           checks the rays of LENTRAY; the tables, on stdout
-  ... lens_models.py LENTRAY --write                       also docs/stability.md, the charts and lens_models.csv
+  ... lens_models.py LENTRAY --write                       also docs/stability/tables.md, the charts and lens_models.csv
 
 The truth is a trace of its own: rays in the cross-section of a sheet of glass, each of which leaves the print
 through one of 201 points of the lens's surface. The exit status is 1 where the rays that LENTRAY writes
@@ -21,7 +21,7 @@ ROOT = pathlib.Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(ROOT / "tests"))
 from support.charts import gnuplot  # noqa: E402
 
-PAGE = ROOT / "docs" / "stability.md"
+PAGE = ROOT / "docs" / "stability" / "tables.md"
 CHARTS = ROOT / "docs" / "stability"
 MARKS = ("<!-- lens models: begin -->", "<!-- lens models: end -->")
 POINTS = 201
@@ -293,14 +293,14 @@ def draw(all_sweeps, path):
             + "\n".join(plots), data, path)
 
 
-SECTION = """`thick` follows K rays a pixel through a round surface ([lens.md](lens.md#formulae)). The other
+SECTION = """`thick` follows K rays a pixel through a round surface ([lens/formulae.md](../lens/formulae.md)). The other
 two models have one ray each. An error here is how far that ray is from the mean of {points} rays of the
 thick lens: the root of the mean square over the pixels of a lens, or the largest. *Blur* is the spread of
 the thick lens's own rays (rms), which neither model has. V is infinite. *Pixels of the print* are steps of
-the slope from one pixel to the next, and tell of what is far from the sheet. *Pixels of a view* are as wide
+the slope from one pixel to the next, and show what is far from the sheet. *Pixels of a view* are as wide
 as a lens.
 
-![Errors against pitch, focal length, index, depth and the place behind the lens](stability/lens_models.png)
+![Errors against pitch, focal length, index, depth and the place behind the lens](lens_models.png)
 
 f = 3.03 mm, n = 1.6 and 15 pixels a lens where nothing else is said. R = f (n - 1)/n is the radius of the
 lens's surface, so that P = 2R is the widest lens, a half circle. Pixels of the print:
@@ -312,7 +312,7 @@ lens's surface, so that P = 2R is the widest lens, a half circle. Pixels of the 
   parts of a round lens bend light more. It stays within {pinhole_worst} pixels in all of these settings.
 - **Blur** is the larger part of the error: wide lenses do not focus. One ray is then sharper than the real
   sheet, and no antialiasing brings this back.
-- **Near total reflection**, which the outer parts of lenses meet from two thirds of the widest on, rays are dark:
+- **Near total reflection**, which the outer parts of lenses reach from two thirds of the widest on, rays are dark:
   in the outer pixels of the widest lenses a quarter of them. The cheaper models show these pixels too bright
   by as much.
 

@@ -1,7 +1,7 @@
 """Media beside the truth by quadrature: errors against samples, phase functions, hard settings, scales, places.
 
   python3 tests/stability/media.py LENTRAY               the tables, on stdout
-  ... media.py LENTRAY --write                           also docs/stability.md and the charts in docs/stability
+  ... media.py LENTRAY --write                           also docs/stability/tables.md and the charts beside it
 
 The light along every ray of these scenes is an integral that quadrature finds to 1e-9. Pictures are floats.
 An error is the root of the mean square over all pixels, as a share of the brightest truth. Stock is not
@@ -23,8 +23,8 @@ ROOT = pathlib.Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(ROOT / "tests"))
 from support.charts import gnuplot  # noqa: E402
 
-PAGE = ROOT / "docs" / "stability.md"
 CHARTS = ROOT / "docs" / "stability"
+PAGE = CHARTS / "tables.md"
 MARKS = ("<!-- media: begin -->", "<!-- media: end -->")
 WIDTH, HEIGHT = 40, 30
 SAMPLES = (1, 4, 16, 64, 256)
@@ -454,7 +454,7 @@ SECTION = """Pictures of scenes whose light is known by quadrature, {width} x {h
 the mean square over all pixels, as a share of the brightest; 0 is less than 5e-7. The numbers above
 the columns are samples a ray. The time is that of the whole picture, to a hundredth of a second.
 
-![Errors against samples](stability/media_error.png)
+![Errors against samples](media_error.png)
 
 {sampled}
 
@@ -478,7 +478,7 @@ Hard settings, 64 samples. Every medium is even:
 {hard}
 
 - Walls thinner than 1e-4, and an eye nearer than that to a wall, are lost: a ray that starts on a
-  surface does not meet another one so near. Stock loses the same ones.
+  surface does not hit another one so near. Stock loses the same ones.
 - A ray remembers 24 containers, one in another. It forgets what lies in more.
 
 Light that must not be seen, 64 samples. The error counts the whole picture; the last column is the
@@ -492,7 +492,7 @@ light through.
 The same scenes at all scales (amounts divided by the scale) and far from the origin, method 2 with
 64 samples:
 
-![Errors at all scales and places](stability/media_scales.png)
+![Errors at all scales and places](media_scales.png)
 
 {sized}
 """
@@ -500,8 +500,6 @@ The same scenes at all scales (amounts divided by the scale) and far from the or
 
 def write(text):
     page = PAGE.read_text()
-    if MARKS[0] not in page:
-        page = page.replace("## The same bits", f"## Media\n\n{MARKS[0]}\n{MARKS[1]}\n\n## The same bits")
     before, rest = page.split(MARKS[0])
     PAGE.write_text(f"{before}{MARKS[0]}\n{text}\n{MARKS[1]}{rest.split(MARKS[1])[1]}")
 

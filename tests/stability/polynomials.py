@@ -3,7 +3,7 @@
   tests/stability/polynomials.py [--bin FOLDER] [--count 60] [--rounds 9] [--csv FILE]
 
 Runs lentray-polynomials, draws docs/stability/polynomials.png and docs/stability/gaps.png and prints
-the tables of docs/stability.md. Times are the least of some rounds in which the solvers take turns.
+the table of docs/stability/tables.md. Times are the least of some rounds in which the solvers take turns.
 """
 import argparse
 import collections

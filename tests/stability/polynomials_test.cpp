@@ -1,5 +1,5 @@
 // The solver that lentray uses beside the others, on a few polynomials of each order and kind; the
-// whole comparison is in docs/stability.md.
+// whole comparison is in docs/stability/tables.md.
 #include <gtest/gtest.h>
 
 #include "tests/stability/polynomials/measure.h"
