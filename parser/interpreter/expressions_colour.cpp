@@ -62,7 +62,8 @@ Number Expressions::colour_from(Keyword keyword) {
     m_in.fail(m_in.tokens.peek().where, "sRGB colours need an assumed_gamma before them");
   }
   Location where;
-  Number n = parse_located(RawExpressions::Level::kEverything, size, where);
+  Number n;
+  m_script.located(n, Precedence::kLogical, where);
   if (n.size > size) {
     m_in.warn(where, "more components than the colour keyword before them takes");
   }

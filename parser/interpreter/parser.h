@@ -61,7 +61,7 @@ struct ParserOptions {
   bool only_check = false;
   /// A text of more than 64 bytes for each is made tokens in pieces of so many: what a processor's cache holds.
   std::size_t piece_tokens = 4096;
-  bool raw_expressions = true;  ///< false: every expression by the grammar, to compare the two
+  bool plain_expressions = true;  ///< false: all of them as ScriptTokens, to compare the two
   /// Set from outside to stop soon: Cancelled is thrown. Null: nobody asks.
   const std::atomic<bool>* cancel = nullptr;
 };
