@@ -42,23 +42,6 @@ bool Expressions::read_plain(std::string& text) {
   return read;
 }
 
-bool Expressions::at_assignment() const {
-  const TokenList* list = nullptr;
-  const Token* name = m_in.tokens.raw(list);
-  return name && name->kind == TokenKind::kIdentifier && name[1].is(Punct::kEqual);
-}
-
-bool Expressions::read_plain_assignment(Number& n) {
-  return at_assignment() &&
-         read_plain(PlainTokens::Kind::kNumber, 2, Punct::kSemicolon,
-                    [&](auto& grammar) { return grammar.read(n, Precedence::kSum); });
-}
-
-bool Expressions::read_plain_assignment(std::string& text) {
-  return at_assignment() && read_plain(PlainTokens::Kind::kString, 2, Punct::kSemicolon,
-                                       [&](auto& grammar) { return grammar.string(text); });
-}
-
 bool Expressions::read_plain_condition(double& x) {
   const TokenList* list = nullptr;
   const Token* open = m_in.tokens.raw(list);
@@ -71,20 +54,30 @@ bool Expressions::read_plain_condition(double& x) {
   return true;
 }
 
-Expressions::Item Expressions::read_plain_item(Number& n, std::string& text) {
-  const TokenList* list = nullptr;
-  const Token* first = m_in.tokens.raw(list);
-  if (!first) return Item::kNone;
-  const std::ptrdiff_t comma = first->is(Punct::kComma) ? 1 : 0;
-  if (read_plain(PlainTokens::Kind::kNumber, comma, Punct::kNone,
+Expressions::Item Expressions::read_plain_item(std::ptrdiff_t ahead, Punct end, Number& n,
+                                               std::string& text) {
+  if (read_plain(PlainTokens::Kind::kNumber, ahead, end,
                  [&](auto& grammar) { return grammar.read(n, Precedence::kSum); }))
     return Item::kNumber;
   const std::size_t before = text.size();
-  if (read_plain(PlainTokens::Kind::kString, comma, Punct::kNone,
+  if (read_plain(PlainTokens::Kind::kString, ahead, end,
                  [&](auto& grammar) { return grammar.string(text); }))
     return Item::kString;
   text.resize(before);
   return Item::kNone;
+}
+
+Expressions::Item Expressions::read_plain_assignment(Number& n, std::string& text) {
+  const TokenList* list = nullptr;
+  const Token* name = m_in.tokens.raw(list);
+  const bool assigns = name && name->kind == TokenKind::kIdentifier && name[1].is(Punct::kEqual);
+  return assigns ? read_plain_item(2, Punct::kSemicolon, n, text) : Item::kNone;
+}
+
+Expressions::Item Expressions::read_plain_item(Number& n, std::string& text) {
+  const TokenList* list = nullptr;
+  const Token* first = m_in.tokens.raw(list);
+  return read_plain_item(first && first->is(Punct::kComma) ? 1 : 0, Punct::kNone, n, text);
 }
 
 bool Expressions::at_expression() {

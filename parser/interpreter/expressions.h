@@ -18,6 +18,7 @@
 
 namespace lentray::parser {
 
+struct ColourWord;
 struct Interpreter;
 
 class Expressions {
@@ -57,23 +58,22 @@ class Expressions {
   /// The expression that comes next.
   bool read_plain(Number& n, Precedence least);
   bool read_plain(std::string& text);  ///< put behind `text`
-  /// `NAME = EXPRESSION`, with `;` behind it.
-  bool read_plain_assignment(Number& n);
-  bool read_plain_assignment(std::string& text);
   /// `( EXPRESSION )` of one component.
   bool read_plain_condition(double& x);
   /// A number or a string, and the comma before it.
   enum class Item { kNone, kNumber, kString };
   Item read_plain_item(Number& n, std::string& text);
+  /// `NAME = EXPRESSION` of either, with `;` behind it.
+  Item read_plain_assignment(Number& n, std::string& text);
   /// Within an expression of PlainTokens.
   bool plain_subscript(double& x) { return m_plain.scalar(x); }
 
  private:
   template <typename Read>
   bool read_plain(PlainTokens::Kind kind, std::ptrdiff_t ahead, Punct end, Read read);
-  bool at_assignment() const;
+  Item read_plain_item(std::ptrdiff_t ahead, Punct end, Number& n, std::string& text);
   void trailing_components(Number& colour);
-  Number colour_from(Keyword keyword);
+  Number colour_from(const ColourWord& word);
   core::Transform transform_block();
   core::Matrix matrix_rows();
 

@@ -47,7 +47,9 @@ bool ScriptTokens::enter() {
 }
 
 bool ScriptTokens::quick(Number& n, Precedence least) {
-  return m_in.expressions.read_plain(n, least);
+  if (m_in.expressions.read_plain(n, least)) return true;
+  n = {};
+  return false;
 }
 
 // The place is looked for only where it has to be, if the token stands in the list.

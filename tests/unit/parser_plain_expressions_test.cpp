@@ -149,6 +149,16 @@ TEST(UnitParserPlainExpressions, GivesUpWithoutATrace) {
         "#declare X = #ifdef (A) 5 #else 6 #end ; #debug str(X, 0, -1)",
         "#declare deprecated \"old\" D = 4; #declare X = D + 1; #debug str(X, 0, -1)",
         "#debug str((((((((((((1)))))))))))) + 1, 0, -1)",
+        "#declare X = V.x*0 + Twice(2); #debug vstr(3, X, \" \", 0, -1)",
+        "#declare X = (<1, 2, 3> + Twice(2)).y; #debug str(X, 0, -1)",
+        "#declare X = V*Twice(V.x); #debug vstr(3, X, \" \", 0, -1)",
+        "#debug vstr(3, 2 + Twice(1)*V, \" \", 0, -1)",
+        "#debug str(2*Twice(1) = 4 ? Twice(3) : V.y, 0, -1)",
+        "#declare X = (Text = \"x\");",
+        "#if (concat(\"a\", \"b\") = \"ab\" & 1) #debug \"same\" #end",
+        "#if (1 | \"a\" = \"b\" + 1) #end",
+        "#debug str(strlen(\"abc\") + val(\"2\") + asc(\"A\") + strcmp(\"a\", \"b\"), 0, -1)",
+        "#debug str(select(-1, 2, 3, 4) + select(0, 2, 3) + C.gray, 0, -1)",
         "#declare X = 1 + ",
         "#declare X = (1"}) {
     parser_plain_expressions_expect_same(head + rest);
