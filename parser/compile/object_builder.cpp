@@ -138,7 +138,7 @@ ObjectBuilder::Inherited ObjectBuilder::resolve(const ObjectDesc& object,
   looks.in_whole = true;
   // The outermost double_illuminate overrides those inside it.
   if (!from.double_illuminate) looks.double_illuminate = object.double_illuminate;
-  if (!m_parts) return looks;
+  if (!has_materials()) return looks;
   const core::Transform texture_move = object.uv_mapping ? core::Transform() : outer;
   // A part without a texture of its own takes its whole's with it.
   looks.uv_mapping = object.uv_mapping || (!object.texture && from.uv_mapping);
@@ -166,7 +166,7 @@ ObjectBuilder::Inherited ObjectBuilder::resolve(const ObjectDesc& object,
 /// Photons are shot at the outermost object that is a target and hangs together.
 void ObjectBuilder::take_aim(const ObjectDesc& object, const core::Transform& outer,
                              Inherited& looks) {
-  if (!m_parts || looks.pass_flags == 0) return;
+  if (!has_materials() || looks.pass_flags == 0) return;
   core::PassFlags flags = m_parts->pass_flags[looks.pass_flags];
   if (!(flags.photon_target > 0.0) || flags.photon_target_number > 0) return;
   if (looks.lights && !looks.lights->global()) return;
@@ -191,7 +191,7 @@ core::Attributes ObjectBuilder::attributes(const Inherited& looks) {
                      .hollow = looks.shared_hollow.value_or(false),
                      .double_illuminate = looks.double_illuminate.value_or(false),
                      .uv_mapping = looks.uv_mapping};
-  if (!m_parts) return a;
+  if (!has_materials()) return a;
   a.texture = compile(looks.texture);
   if (looks.interior_texture) a.interior_texture = compile(looks.interior_texture);
   if (looks.lights) a.lights = selection(*looks.lights);
@@ -233,7 +233,7 @@ std::unique_ptr<core::Object> ObjectBuilder::build_whole(const ObjectDesc& objec
   const core::Transform to_world =
       object.transform.is_stored() ? object.transform->then(outer) : outer;
   if (object.is_light()) {
-    if (m_parts) {
+    if (has_materials()) {
       add_light(object, to_world, false);
       add_looks_like(object, to_world, from);
     }
@@ -282,7 +282,7 @@ std::unique_ptr<core::Object> ObjectBuilder::build_csg(const ObjectDesc& object,
                                                        const CsgShape& csg,
                                                        const core::Transform& to_world,
                                                        const Inherited& looks) {
-  if (csg.operation == CsgOperation::kLightGroup && m_parts) {
+  if (csg.operation == CsgOperation::kLightGroup && has_materials()) {
     return build_light_group(object, csg, to_world, looks);
   }
   const LightScope scope(looks.lights, object.copied);
@@ -320,7 +320,7 @@ std::unique_ptr<core::Object> ObjectBuilder::build_leaf(const ObjectDesc& object
   std::unique_ptr<core::Shape> shape;
   if (const auto* mesh = std::get_if<std::shared_ptr<const MeshShape>>(&object.shape)) {
     std::unique_ptr<core::Mesh> made = build_mesh(object, to_world);
-    if (m_parts && !(*mesh)->textures.empty()) {
+    if (has_materials() && !(*mesh)->textures.empty()) {
       std::vector<const core::Texture*> textures;
       const core::Transform move = object.uv_mapping ? core::Transform() : to_world;
       for (const Ref<TextureDesc>& t : (*mesh)->textures)
@@ -331,7 +331,7 @@ std::unique_ptr<core::Object> ObjectBuilder::build_leaf(const ObjectDesc& object
   } else {
     shape = build_shape(object);
     const auto* surface = std::get_if<Sparse<IsosurfaceShape>>(&object.shape);
-    if (surface && shape && m_parts) {
+    if (surface && shape && has_materials()) {
       static_cast<core::Isosurface&>(*shape).set_watch(m_slope_watches.of(**surface, object.where));
     }
   }
@@ -347,7 +347,7 @@ void ObjectBuilder::add_element_textures(const BlobShape& blob, const core::Tran
                                          core::Object& out) {
   const bool has_any = std::any_of(blob.elements.begin(), blob.elements.end(),
                                    [](const BlobElement& e) { return e.texture != nullptr; });
-  if (!m_parts || !has_any) return;
+  if (!has_materials() || !has_any) return;
   core::Attributes looks = out.attributes();
   const std::shared_ptr<const core::Texture> own(std::shared_ptr<void>(), looks.texture);
   const std::vector<core::BlobField> fields = blob_fields(blob);

@@ -97,7 +97,9 @@ class ObjectBuilder {
     m_not_yet.try_emplace(feature, where);
   }
 
-  core::SceneParts* m_parts = nullptr;  ///< null: geometry alone
+  bool has_materials() const { return m_parts; }
+
+  core::SceneParts* m_parts = nullptr;  ///< null: geometry alone, without materials and lights
   TextureCompiler* m_textures = nullptr;
   NotYet& m_not_yet;
   ObjectPlaces* m_places = nullptr;

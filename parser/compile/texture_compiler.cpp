@@ -80,6 +80,14 @@ class Cache {
   std::vector<const Desc*> m_new;
 };
 
+/// The entries of a map, each compiled.
+template <typename Map, typename Compile>
+auto compiled_entries(const Map& map, Compile compile) {
+  std::vector<std::pair<double, decltype(compile(map.entries.front().item))>> entries;
+  for (const auto& entry : map.entries) entries.emplace_back(entry.value, compile(entry.item));
+  return entries;
+}
+
 }  // namespace
 
 struct TextureCompiler::Impl {
@@ -170,9 +178,9 @@ core::PigmentPtr TextureCompiler::Impl::compile_fresh(const PigmentDesc& pigment
   }
   std::vector<std::pair<double, core::PigmentPtr>> entries;
   if (pigment.pigment_map) {
-    for (const auto& entry : pigment.pigment_map->entries) {
-      entries.emplace_back(entry.value, compile(entry.item, core::Placement()));
-    }
+    entries = compiled_entries(*pigment.pigment_map, [&](const Ref<PigmentDesc>& item) {
+      return compile(item, core::Placement());
+    });
   }
   if (pattern.kind == PatternKind::kAverage) {
     return core::make_average_pigment(outer.then(compile_placement(pattern)), std::move(entries));
@@ -185,11 +193,8 @@ core::PigmentPtr TextureCompiler::Impl::compile_fresh(const PigmentDesc& pigment
     return core::make_colour_map_pigment(std::move(placed), default_colours(pattern.kind));
   }
   const auto map = colour_maps.get(pigment.colour_map, [&] {
-    std::vector<std::pair<double, core::Colour>> colours;
-    for (const auto& entry : pigment.colour_map->entries) {
-      colours.emplace_back(entry.value, entry.item);
-    }
-    return std::make_shared<const core::BlendMap<core::Colour>>(std::move(colours));
+    return std::make_shared<const core::BlendMap<core::Colour>>(
+        compiled_entries(*pigment.colour_map, [](const core::Colour& colour) { return colour; }));
   });
   return core::make_colour_map_pigment(std::move(placed), *map);
 }
@@ -233,11 +238,9 @@ core::NormalPtr TextureCompiler::Impl::compile_pattern_normal(const NormalDesc& 
   }
   std::optional<core::BlendMap<core::SlopePoint>> slopes;
   if (normal.slope_map) {
-    std::vector<std::pair<double, core::SlopePoint>> points;
-    for (const auto& entry : normal.slope_map->entries) {
-      points.emplace_back(entry.value, core::SlopePoint{entry.item.height, entry.item.slope});
-    }
-    slopes.emplace(std::move(points));
+    slopes.emplace(compiled_entries(*normal.slope_map, [](const SlopePoint& point) {
+      return core::SlopePoint{point.height, point.slope};
+    }));
   }
   return core::make_slope_normal(compile_placed(normal.pattern, core::Placement(), build),
                                  single(normal.amount), single(normal.accuracy), std::move(slopes),
@@ -253,10 +256,8 @@ core::NormalPtr TextureCompiler::Impl::compile_fresh(const NormalDesc& normal) {
     return inner ? core::make_placed_normal(uv_placement(), std::move(inner), false) : nullptr;
   }
   if (!normal.normal_map) return compile_pattern_normal(normal);
-  std::vector<std::pair<double, core::NormalPtr>> entries;
-  for (const auto& entry : normal.normal_map->entries) {
-    entries.emplace_back(entry.value, compile(entry.item));
-  }
+  auto entries = compiled_entries(*normal.normal_map,
+                                  [&](const Ref<NormalDesc>& item) { return compile(item); });
   if (pattern.kind == PatternKind::kAverage) {
     return core::make_average_normal(compile_placement(pattern), std::move(entries),
                                      normal.no_bump_scale);
@@ -303,10 +304,8 @@ core::TexturePtr TextureCompiler::Impl::compile_patterned(const TextureLayerDesc
   }
   // Entries are evaluated where the pattern is: its placement goes into them.
   const core::Placement inner = outer.then(compile_placement(pattern));
-  std::vector<std::pair<double, core::TexturePtr>> entries;
-  for (const auto& entry : layer.map->entries) {
-    entries.emplace_back(entry.value, compile(entry.item, inner));
-  }
+  auto entries = compiled_entries(
+      *layer.map, [&](const Ref<TextureDesc>& item) { return compile(item, inner); });
   if (pattern.kind == PatternKind::kAverage) return core::make_average_texture(std::move(entries));
   if (pattern.kind == PatternKind::kMaterialMap) {
     std::vector<core::TexturePtr> materials;

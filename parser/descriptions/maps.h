@@ -22,29 +22,16 @@ struct SlopePoint {
   double height = 0.0, slope = 0.0;
 };
 
-struct ColourMapDesc {
+template <typename Item>
+struct BlendMapDesc {
   Location where;
-  std::vector<BlendEntry<core::Colour>> entries;
+  std::vector<BlendEntry<Item>> entries;
 };
-struct PigmentMapDesc {
-  Location where;
-  std::vector<BlendEntry<Ref<PigmentDesc>>> entries;
-};
-struct NormalMapDesc {
-  Location where;
-  std::vector<BlendEntry<Ref<NormalDesc>>> entries;
-};
-struct SlopeMapDesc {
-  Location where;
-  std::vector<BlendEntry<SlopePoint>> entries;
-};
-struct TextureMapDesc {
-  Location where;
-  std::vector<BlendEntry<Ref<TextureDesc>>> entries;
-};
-struct DensityMapDesc {
-  Location where;
-  std::vector<BlendEntry<Ref<DensityDesc>>> entries;
-};
+struct ColourMapDesc : BlendMapDesc<core::Colour> {};
+struct PigmentMapDesc : BlendMapDesc<Ref<PigmentDesc>> {};
+struct NormalMapDesc : BlendMapDesc<Ref<NormalDesc>> {};
+struct SlopeMapDesc : BlendMapDesc<SlopePoint> {};
+struct TextureMapDesc : BlendMapDesc<Ref<TextureDesc>> {};
+struct DensityMapDesc : BlendMapDesc<Ref<DensityDesc>> {};
 
 }  // namespace lentray::parser

@@ -15,15 +15,16 @@ void stir(FogDesc& fog) {
 
 /// One item of a fog; false if none is next.
 bool accept_fog_item(Parser& parser, FogDesc& fog) {
+  if (parser.accept(Keyword::kFogType, fog.type) ||
+      parser.accept(Keyword::kDistance, fog.distance) ||
+      parser.accept(Keyword::kTurbulence, fog.turbulence) ||
+      parser.accept(Keyword::kTurbDepth, fog.turb_depth) ||
+      parser.accept(Keyword::kFogOffset, fog.fog_offset) ||
+      parser.accept(Keyword::kFogAlt, fog.fog_alt))
+    return true;
   if (const auto transform = parser.accept_transforms()) {
     fog.transform = fog.transform.then(*transform);
     fog.up = transform->vector(fog.up);
-  } else if (parser.accept(Keyword::kFogType)) {
-    fog.type = parser.parse_int();
-  } else if (parser.accept(Keyword::kDistance)) {
-    fog.distance = parser.parse_float();
-  } else if (parser.accept(Keyword::kTurbulence)) {
-    fog.turbulence = parser.parse_vector();
   } else if (parser.accept(Keyword::kOctaves)) {
     fog.octaves = parser.parse_int();
     stir(fog);
@@ -33,12 +34,6 @@ bool accept_fog_item(Parser& parser, FogDesc& fog) {
   } else if (parser.accept(Keyword::kOmega)) {
     fog.omega = parser.parse_float();
     stir(fog);
-  } else if (parser.accept(Keyword::kTurbDepth)) {
-    fog.turb_depth = parser.parse_float();
-  } else if (parser.accept(Keyword::kFogOffset)) {
-    fog.fog_offset = parser.parse_float();
-  } else if (parser.accept(Keyword::kFogAlt)) {
-    fog.fog_alt = parser.parse_float();
   } else if (at_float(parser) && !parser.at_colour()) {  // POV-Ray 1
     fog.distance = parser.parse_float();
     if (parser.language_version() >= 150)
@@ -54,23 +49,15 @@ bool accept_fog_item(Parser& parser, FogDesc& fog) {
 }
 
 bool accept_rainbow_item(Parser& parser, Context& context, RainbowDesc& rainbow) {
-  if (parser.accept(Keyword::kDirection)) {
-    rainbow.direction = parser.parse_vector();
-  } else if (parser.accept(Keyword::kUp)) {
-    rainbow.up = parser.parse_vector();
-  } else if (parser.accept(Keyword::kAngle)) {
-    rainbow.angle = parser.parse_float();
-  } else if (parser.accept(Keyword::kWidth)) {
-    rainbow.width = parser.parse_float();
-  } else if (parser.accept(Keyword::kDistance)) {
-    rainbow.distance = parser.parse_float();
-  } else if (parser.accept(Keyword::kJitter)) {
-    rainbow.jitter = parser.parse_float();
-  } else if (parser.accept(Keyword::kArcAngle)) {
-    rainbow.arc_angle = parser.parse_float();
-  } else if (parser.accept(Keyword::kFalloffAngle)) {
-    rainbow.falloff_angle = parser.parse_float();
-  } else if (parser.accept(Keyword::kColorMap)) {
+  if (parser.accept(Keyword::kDirection, rainbow.direction) ||
+      parser.accept(Keyword::kUp, rainbow.up) || parser.accept(Keyword::kAngle, rainbow.angle) ||
+      parser.accept(Keyword::kWidth, rainbow.width) ||
+      parser.accept(Keyword::kDistance, rainbow.distance) ||
+      parser.accept(Keyword::kJitter, rainbow.jitter) ||
+      parser.accept(Keyword::kArcAngle, rainbow.arc_angle) ||
+      parser.accept(Keyword::kFalloffAngle, rainbow.falloff_angle))
+    return true;
+  if (parser.accept(Keyword::kColorMap)) {
     rainbow.colour_map = parse_colour_map(parser, context.materials);
   } else if (parser.at_colour()) {
     (void)parser.parse_colour();

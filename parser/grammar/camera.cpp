@@ -154,18 +154,16 @@ class CameraReader {
   }
 
   bool accept_vector() {
-    if (m_parser.accept(Keyword::kLocation)) {
-      m_camera.location = m_parser.parse_vector();
-    } else if (m_parser.accept(Keyword::kDirection)) {
-      m_camera.direction = m_parser.parse_vector();
-    } else if (m_parser.accept(Keyword::kRight)) {
+    if (m_parser.accept(Keyword::kLocation, m_camera.location) ||
+        m_parser.accept(Keyword::kDirection, m_camera.direction) ||
+        m_parser.accept(Keyword::kSky, m_camera.sky))
+      return true;
+    if (m_parser.accept(Keyword::kRight)) {
       m_camera.right = m_parser.parse_vector();
       m_camera.has_right = true;
     } else if (m_parser.accept(Keyword::kUp)) {
       m_camera.up = m_parser.parse_vector();
       m_camera.has_up = true;
-    } else if (m_parser.accept(Keyword::kSky)) {
-      m_camera.sky = m_parser.parse_vector();
     } else if (m_parser.accept(Keyword::kLookAt)) {
       m_camera.look_at = m_parser.parse_vector();
       m_camera.has_look_at = true;
@@ -196,9 +194,8 @@ class CameraReader {
   }
 
   bool accept_blur() {
-    if (m_parser.accept(Keyword::kAperture)) {
-      m_camera.aperture = m_parser.parse_float();
-    } else if (m_parser.accept(Keyword::kBlurSamples)) {
+    if (m_parser.accept(Keyword::kAperture, m_camera.aperture)) return true;
+    if (m_parser.accept(Keyword::kBlurSamples)) {
       const int first = m_parser.parse_int();
       if (first <= 0) m_parser.fail("Illegal number of focal blur samples.");
       m_parser.parse_comma();
@@ -253,13 +250,31 @@ class CameraReader {
     return std::string(rest.substr(0, n));
   }
 
-  double lens_value(const std::string& word, double least, bool may_equal) {
+  /// A word of a lens sheet with one number behind it.
+  struct LensWord {
+    std::string_view word;
+    std::optional<double> LensDesc::*value;
+    double least;
+    bool may_equal;  ///< the least
+  };
+  static constexpr LensWord kLensWords[] = {
+      {"lens_pitch", &LensDesc::pitch, 0.0, false},
+      {"lens_lpi", &LensDesc::lpi, 0.0, false},
+      {"lens_focal_length", &LensDesc::focal_length, 0.0, false},
+      {"lens_ior", &LensDesc::ior, 1.0, true},
+      {"lens_pixels", &LensDesc::pixels, 1.0, true},
+      {"print_dpi", &LensDesc::print_dpi, 0.0, false},
+      {"lens_front", &LensDesc::front, 0.0, true},
+      {"view_distance", &LensDesc::view_distance, 0.0, true}};
+
+  double lens_value(const LensWord& known) {
     m_parser.next();
     const Location where = m_parser.location();
     const double value = m_parser.parse_float();
-    if (!(may_equal ? value >= least : value > least) || !std::isfinite(value)) {
-      m_parser.fail_at(where, word + " must be " + (may_equal ? "at least " : "greater than ") +
-                                  (least == 0.0 ? "0" : "1") + ".");
+    if (!(known.may_equal ? value >= known.least : value > known.least) || !std::isfinite(value)) {
+      m_parser.fail_at(where, std::string(known.word) + " must be " +
+                                  (known.may_equal ? "at least " : "greater than ") +
+                                  (known.least == 0.0 ? "0" : "1") + ".");
     }
     return value;
   }
@@ -273,23 +288,12 @@ class CameraReader {
     }
     if (m_camera.kind != CameraKind::kLenticular) return false;
     LensDesc& lens = m_camera.lens;
-    if (word == "lens_pitch") {
-      lens.pitch = lens_value(word, 0.0, false);
-    } else if (word == "lens_lpi") {
-      lens.lpi = lens_value(word, 0.0, false);
-    } else if (word == "lens_focal_length") {
-      lens.focal_length = lens_value(word, 0.0, false);
-    } else if (word == "lens_ior") {
-      lens.ior = lens_value(word, 1.0, true);
-    } else if (word == "lens_pixels") {
-      lens.pixels = lens_value(word, 1.0, true);
-    } else if (word == "print_dpi") {
-      lens.print_dpi = lens_value(word, 0.0, false);
-    } else if (word == "lens_front") {
-      lens.front = lens_value(word, 0.0, true);
-    } else if (word == "view_distance") {
-      lens.view_distance = lens_value(word, 0.0, true);
-    } else if (word == "lens_model") {
+    for (const LensWord& known : kLensWords) {
+      if (word != known.word) continue;
+      lens.*known.value = lens_value(known);
+      return true;
+    }
+    if (word == "lens_model") {
       m_parser.next();
       lens.model = read_lens_model();
     } else if (word == "lens_rays") {

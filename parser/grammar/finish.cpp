@@ -18,16 +18,15 @@ void parse_reflection_block(Parser& parser, FinishDesc& finish) {
   const bool second = parser.at_colour() || parser.at_expression();
   reflection.maximum = second ? parse_rgb(parser) : reflection.minimum;
   for (;;) {
+    if (parser.accept(Keyword::kFalloff, reflection.falloff) ||
+        parser.accept(Keyword::kExponent, finish.reflection_exponent))
+      continue;
     if (parser.accept(Keyword::kFresnel)) {
       const int fresnel = static_cast<int>(parse_optional_float(parser, 1.0));
       if (fresnel != 0 && fresnel != 1) parser.fail("fresnel is on or off");
       reflection.fresnel = fresnel == 1;
       // With one colour, fresnel goes from nothing to it: otherwise it would change nothing.
       if (reflection.fresnel && !second) reflection.minimum = {};
-    } else if (parser.accept(Keyword::kFalloff)) {
-      reflection.falloff = parser.parse_float();
-    } else if (parser.accept(Keyword::kExponent)) {
-      finish.reflection_exponent = parser.parse_float();
     } else if (parser.accept(Keyword::kMetallic)) {
       reflection.metallic = parse_optional_float(parser, 1.0);
     } else {
@@ -55,9 +54,8 @@ void parse_irid(Parser& parser, FinishDesc& finish) {
   parser.expect(Punct::kLeftCurly);
   finish.irid = parser.parse_float();
   for (;;) {
-    if (parser.accept(Keyword::kThickness)) {
-      finish.irid_thickness = parser.parse_float();
-    } else if (parser.accept(Keyword::kTurbulence)) {
+    if (parser.accept(Keyword::kThickness, finish.irid_thickness)) continue;
+    if (parser.accept(Keyword::kTurbulence)) {
       finish.irid_turbulence = parser.parse_vector().x;
     } else {
       break;
@@ -83,6 +81,9 @@ void parse_subsurface(Parser& parser, FinishDesc& finish) {
 }
 
 bool accept_diffuse_word(Parser& parser, FinishDesc& finish) {
+  if (parser.accept(Keyword::kBrilliance, finish.brilliance) ||
+      parser.accept(Keyword::kCrand, finish.crand))
+    return true;
   if (parser.accept(Keyword::kAmbient)) {
     finish.ambient = parse_rgb(parser);
   } else if (parser.accept(Keyword::kEmission)) {
@@ -92,10 +93,6 @@ bool accept_diffuse_word(Parser& parser, FinishDesc& finish) {
     finish.diffuse = parser.parse_float();
     parser.parse_comma();
     finish.diffuse_back = parse_optional_float(parser, 0.0);
-  } else if (parser.accept(Keyword::kBrilliance)) {
-    finish.brilliance = parser.parse_float();
-  } else if (parser.accept(Keyword::kCrand)) {
-    finish.crand = parser.parse_float();
   } else {
     return false;
   }
@@ -103,11 +100,10 @@ bool accept_diffuse_word(Parser& parser, FinishDesc& finish) {
 }
 
 bool accept_highlight_word(Parser& parser, FinishDesc& finish) {
+  if (parser.accept(Keyword::kPhongSize, finish.phong_size)) return true;
   if (parser.accept(Keyword::kPhong)) {
     finish.phong_albedo = parser.accept(Keyword::kAlbedo) || finish.phong_albedo;
     finish.phong = parser.parse_float();
-  } else if (parser.accept(Keyword::kPhongSize)) {
-    finish.phong_size = parser.parse_float();
   } else if (parser.accept(Keyword::kSpecular)) {
     finish.specular_albedo = parser.accept(Keyword::kAlbedo) || finish.specular_albedo;
     finish.specular = parser.parse_float();
@@ -143,10 +139,9 @@ bool accept_interior_word(Parser& parser, FinishDesc& finish) {
 }
 
 bool accept_other_word(Parser& parser, FinishDesc& finish) {
+  if (parser.accept(Keyword::kReflectionExponent, finish.reflection_exponent)) return true;
   if (parser.accept(Keyword::kReflection)) {
     parse_reflection(parser, finish);
-  } else if (parser.accept(Keyword::kReflectionExponent)) {
-    finish.reflection_exponent = parser.parse_float();
   } else if (parser.accept(Keyword::kConserveEnergy)) {
     finish.conserve_energy = true;
   } else if (parser.accept(Keyword::kIrid)) {

@@ -220,6 +220,11 @@ void accept_photon_file(Parser& parser, PhotonSettings& p, GlobalDesc& global, b
 }
 
 bool accept_photon_setting(Parser& parser, PhotonSettings& p, GlobalDesc& global) {
+  if (parser.accept(Keyword::kSpacing, p.spacing) || parser.accept(Keyword::kJitter, p.jitter) ||
+      parser.accept(Keyword::kCount, p.count) || parser.accept(Keyword::kAutostop, p.autostop) ||
+      parser.accept(Keyword::kAdcBailout, p.adc_bailout) ||
+      parser.accept(Keyword::kMaxTraceLevel, p.max_trace_level))
+    return true;
   if (parser.accept(Keyword::kRadius)) {
     p.radius = optional_float(parser, -1.0);
     parser.parse_comma();
@@ -228,8 +233,6 @@ bool accept_photon_setting(Parser& parser, PhotonSettings& p, GlobalDesc& global
     p.media_radius = optional_float(parser, -1.0);
     parser.parse_comma();
     p.media_radius_multiplier = optional_float(parser, 1.0);
-  } else if (parser.accept(Keyword::kSpacing)) {
-    p.spacing = parser.parse_float();
   } else if (parser.accept(Keyword::kExpandThresholds)) {
     p.expand_increase = parser.parse_float();
     parser.parse_comma();
@@ -243,16 +246,6 @@ bool accept_photon_setting(Parser& parser, PhotonSettings& p, GlobalDesc& global
     p.gather_min = parser.parse_int();
     parser.parse_comma();
     p.gather_max = parser.parse_int();
-  } else if (parser.accept(Keyword::kJitter)) {
-    p.jitter = parser.parse_float();
-  } else if (parser.accept(Keyword::kCount)) {
-    p.count = parser.parse_int();
-  } else if (parser.accept(Keyword::kAutostop)) {
-    p.autostop = parser.parse_float();
-  } else if (parser.accept(Keyword::kAdcBailout)) {
-    p.adc_bailout = parser.parse_float();
-  } else if (parser.accept(Keyword::kMaxTraceLevel)) {
-    p.max_trace_level = parser.parse_int();
   } else if (parser.accept(Keyword::kLoadFile)) {
     accept_photon_file(parser, p, global, true);
   } else if (parser.accept(Keyword::kSaveFile)) {

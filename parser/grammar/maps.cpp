@@ -3,6 +3,7 @@
 #include <array>
 #include <span>
 
+#include "parser/grammar/helpers.h"
 #include "parser/grammar/pattern.h"
 
 namespace lentray::parser {
@@ -59,14 +60,17 @@ double parse_entry_value(Parser& parser, bool average) {
   return value;
 }
 
-/// An entry is a body without braces; `pigment { ... }` around it is understood too.
-template <typename ReadBody>
-auto parse_entry_body(Parser& parser, Keyword statement, ReadBody read_body) {
-  if (!parser.accept(statement)) return read_body();
-  parser.expect(Punct::kLeftCurly);
-  auto body = read_body();
-  parser.expect(Punct::kRightCurly);
-  return body;
+/// Entries that are bodies without braces; `pigment { ... }` around one is understood too.
+template <typename Map, typename ReadBody>
+Ref<Map> parse_body_map(Parser& parser, const char* name, bool average, Keyword statement,
+                        ReadBody read_body) {
+  return parse_map<Map>(parser, name, [&](Map& map) {
+    const double value = parse_entry_value(parser, average);
+    const bool braces = parser.accept(statement);
+    if (braces) parser.expect(Punct::kLeftCurly);
+    map.entries.push_back({value, read_body()});
+    if (braces) parser.expect(Punct::kRightCurly);
+  });
 }
 
 void read_colour_entry(Parser& parser, ColourMapDesc& map) {
@@ -97,63 +101,34 @@ Ref<ColourMapDesc> parse_colour_map(Parser& parser, MaterialContext&) {
                                   [&](ColourMapDesc& map) { read_colour_entry(parser, map); });
 }
 
-Ref<PigmentMapDesc> parse_pigment_map(Parser& parser, MaterialContext& context, bool average) {
-  return parse_map<PigmentMapDesc>(parser, "pigment_map", [&](PigmentMapDesc& map) {
-    const double value = parse_entry_value(parser, average);
-    map.entries.push_back({value, parse_entry_body(parser, Keyword::kPigment, [&] {
-                             return parse_pigment_body(parser, context,
-                                                       default_layer(context).pigment);
-                           })});
-  });
-}
-
-Ref<NormalMapDesc> parse_normal_map(Parser& parser, MaterialContext& context, bool average) {
-  return parse_map<NormalMapDesc>(parser, "normal_map", [&](NormalMapDesc& map) {
-    const double value = parse_entry_value(parser, average);
-    map.entries.push_back({value, parse_entry_body(parser, Keyword::kNormal, [&] {
-                             return parse_normal_body(parser, context,
-                                                      default_layer(context).normal);
-                           })});
-  });
-}
-
 Ref<SlopeMapDesc> parse_slope_map(Parser& parser, MaterialContext&) {
   return parse_map<SlopeMapDesc>(parser, "slope_map", [&](SlopeMapDesc& map) {
     const double value = parse_entry_value(parser, false);
-    const core::Vec2 point = parse_vec2(parser);
+    const core::Vec2 point = parse_uv(parser);
     map.entries.push_back({value, {point.u, point.v}});
   });
 }
 
-Ref<TextureMapDesc> parse_texture_map(Parser& parser, MaterialContext& context, bool average) {
-  return parse_map<TextureMapDesc>(parser, "texture_map", [&](TextureMapDesc& map) {
-    const double value = parse_entry_value(parser, average);
-    map.entries.push_back({value, parse_entry_body(parser, Keyword::kTexture, [&] {
-                             return parse_texture_body(parser, context);
-                           })});
+Ref<PigmentMapDesc> parse_pigment_map(Parser& parser, MaterialContext& context, bool average) {
+  return parse_body_map<PigmentMapDesc>(parser, "pigment_map", average, Keyword::kPigment, [&] {
+    return parse_pigment_body(parser, context, default_layer(context).pigment);
   });
+}
+
+Ref<NormalMapDesc> parse_normal_map(Parser& parser, MaterialContext& context, bool average) {
+  return parse_body_map<NormalMapDesc>(parser, "normal_map", average, Keyword::kNormal, [&] {
+    return parse_normal_body(parser, context, default_layer(context).normal);
+  });
+}
+
+Ref<TextureMapDesc> parse_texture_map(Parser& parser, MaterialContext& context, bool average) {
+  return parse_body_map<TextureMapDesc>(parser, "texture_map", average, Keyword::kTexture,
+                                        [&] { return parse_texture_body(parser, context); });
 }
 
 Ref<DensityMapDesc> parse_density_map(Parser& parser, MaterialContext& context, bool average) {
-  return parse_map<DensityMapDesc>(parser, "density_map", [&](DensityMapDesc& map) {
-    const double value = parse_entry_value(parser, average);
-    map.entries.push_back({value, parse_entry_body(parser, Keyword::kDensity, [&] {
-                             return parse_density_body(parser, context);
-                           })});
-  });
-}
-
-Ref<PigmentMapDesc> parse_pigment_map(Parser& parser, MaterialContext& context) {
-  return parse_pigment_map(parser, context, false);
-}
-Ref<NormalMapDesc> parse_normal_map(Parser& parser, MaterialContext& context) {
-  return parse_normal_map(parser, context, false);
-}
-Ref<TextureMapDesc> parse_texture_map(Parser& parser, MaterialContext& context) {
-  return parse_texture_map(parser, context, false);
-}
-Ref<DensityMapDesc> parse_density_map(Parser& parser, MaterialContext& context) {
-  return parse_density_map(parser, context, false);
+  return parse_body_map<DensityMapDesc>(parser, "density_map", average, Keyword::kDensity,
+                                        [&] { return parse_density_body(parser, context); });
 }
 
 Ref<ColourMapDesc> parse_colour_list(Parser& parser, PatternKind kind, int count) {

@@ -37,11 +37,14 @@ Ref<MediaDesc> parse_media(Parser& parser, MaterialContext& context);
 Ref<DensityDesc> parse_density(Parser& parser, MaterialContext& context);
 
 Ref<ColourMapDesc> parse_colour_map(Parser& parser, MaterialContext& context);
-Ref<PigmentMapDesc> parse_pigment_map(Parser& parser, MaterialContext& context);
-Ref<NormalMapDesc> parse_normal_map(Parser& parser, MaterialContext& context);
+Ref<PigmentMapDesc> parse_pigment_map(Parser& parser, MaterialContext& context,
+                                      bool average = false);
+Ref<NormalMapDesc> parse_normal_map(Parser& parser, MaterialContext& context, bool average = false);
 Ref<SlopeMapDesc> parse_slope_map(Parser& parser, MaterialContext& context);
-Ref<TextureMapDesc> parse_texture_map(Parser& parser, MaterialContext& context);
-Ref<DensityMapDesc> parse_density_map(Parser& parser, MaterialContext& context);
+Ref<TextureMapDesc> parse_texture_map(Parser& parser, MaterialContext& context,
+                                      bool average = false);
+Ref<DensityMapDesc> parse_density_map(Parser& parser, MaterialContext& context,
+                                      bool average = false);
 
 /// `function { pigment { ... } }` and `function { pattern { ... } }`: the parser stands at the inner
 /// keyword, the function's own braces are not read. Gives a function of x, y, z with 5 results (a

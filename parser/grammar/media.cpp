@@ -24,24 +24,15 @@ class DensityTarget final : public PatternTarget {
   }
 
   void read_list(Parser& parser, int count) override {
-    auto map = std::make_shared<DensityMapDesc>();
-    map->where = parser.location();
-    for (int i = 0; i < count; ++i) {
-      Ref<DensityDesc> item = std::make_shared<DensityDesc>();
-      if (parser.accept(Keyword::kDensity)) {
-        item = parse_density(parser, m_context);
-        parser.parse_comma();
-      }
-      map->entries.push_back({static_cast<double>(i), item});
-    }
-    m_density.density_map = map;
+    m_density.density_map = parse_item_list<DensityMapDesc>(
+        parser, count, Keyword::kDensity,
+        [] { return Ref<DensityDesc>(std::make_shared<DensityDesc>()); },
+        [&] { return parse_density(parser, m_context); });
     m_density.colour_map = nullptr;
   }
 
   void read_item(Parser& parser) override {
-    auto map = std::make_shared<DensityMapDesc>();
-    map->entries.push_back({0.0, parse_density_body(parser, m_context)});
-    m_density.density_map = map;
+    m_density.density_map = map_of<DensityMapDesc>(parse_density_body(parser, m_context));
     m_density.colour_map = nullptr;
   }
 
@@ -79,6 +70,10 @@ void parse_samples(Parser& parser, MediaDesc& media) {
 }
 
 bool accept_sampling_word(Parser& parser, MediaDesc& media) {
+  if (parser.accept(Keyword::kJitter, media.jitter) ||
+      parser.accept(Keyword::kVariance, media.variance) ||
+      parser.accept(Keyword::kRatio, media.ratio))
+    return true;
   if (parser.accept(Keyword::kIntervals)) {
     media.intervals = parser.parse_int();
     if (media.intervals < 1) parser.fail("media needs at least one interval");
@@ -87,8 +82,6 @@ bool accept_sampling_word(Parser& parser, MediaDesc& media) {
   } else if (parser.accept(Keyword::kMethod)) {
     media.method = parser.parse_int();
     if (media.method < 1 || media.method > 3) parser.fail("the method of media is 1, 2 or 3");
-  } else if (parser.accept(Keyword::kJitter)) {
-    media.jitter = parser.parse_float();
   } else if (parser.accept(Keyword::kAaThreshold)) {
     media.aa_threshold = parser.parse_float();
     if (media.aa_threshold <= 0.0) parser.fail("aa_threshold of media must be greater than 0");
@@ -100,10 +93,6 @@ bool accept_sampling_word(Parser& parser, MediaDesc& media) {
     if (media.confidence < 0.0 || media.confidence >= 1.0) {
       parser.fail("confidence of media is at least 0 and less than 1");
     }
-  } else if (parser.accept(Keyword::kVariance)) {
-    media.variance = parser.parse_float();
-  } else if (parser.accept(Keyword::kRatio)) {
-    media.ratio = parser.parse_float();
   } else {
     return false;
   }
@@ -117,12 +106,11 @@ void parse_scattering(Parser& parser, ScatteringDesc& scattering) {
   parser.parse_comma();
   if (parser.at_colour() || parser.at_expression()) scattering.colour = parse_rgb(parser);
   for (;;) {
+    if (parser.accept(Keyword::kExtinction, scattering.extinction)) continue;
     if (parser.at(Keyword::kEccentricity)) {
       if (scattering.type != 5) parser.fail("eccentricity goes with scattering type 5 only");
       parser.next();
       scattering.eccentricity = parser.parse_float();
-    } else if (parser.accept(Keyword::kExtinction)) {
-      scattering.extinction = parser.parse_float();
     } else {
       break;
     }

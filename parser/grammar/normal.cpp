@@ -22,24 +22,14 @@ class NormalTarget final : public PatternTarget {
     m_normal.slope_map = nullptr;
     m_normal.normal_map = nullptr;
     if (!parser.at(Keyword::kNormal)) return;
-    auto map = std::make_shared<NormalMapDesc>();
-    map->where = parser.location();
-    for (int i = 0; i < count; ++i) {
-      Ref<NormalDesc> item = default_layer(m_context).normal;
-      if (parser.accept(Keyword::kNormal)) {
-        item = parse_normal(parser, m_context);
-        parser.parse_comma();
-      }
-      map->entries.push_back({static_cast<double>(i), item});
-    }
-    m_normal.normal_map = map;
+    m_normal.normal_map = parse_item_list<NormalMapDesc>(
+        parser, count, Keyword::kNormal, [&] { return default_layer(m_context).normal; },
+        [&] { return parse_normal(parser, m_context); });
   }
 
   void read_item(Parser& parser) override {
-    auto map = std::make_shared<NormalMapDesc>();
-    map->entries.push_back(
-        {0.0, parse_normal_body(parser, m_context, default_layer(m_context).normal)});
-    m_normal.normal_map = map;
+    m_normal.normal_map = map_of<NormalMapDesc>(
+        parse_normal_body(parser, m_context, default_layer(m_context).normal));
     m_normal.slope_map = nullptr;
   }
 
@@ -50,15 +40,14 @@ class NormalTarget final : public PatternTarget {
 
   bool accept_own_modifier(Parser& parser) override {
     PatternDesc& pattern = m_normal.pattern;
+    if (parser.accept(Keyword::kBumpSize, m_normal.amount) ||
+        parser.accept(Keyword::kAccuracy, m_normal.accuracy))
+      return true;
     if (parser.accept(Keyword::kBumpMap)) {
       pattern.kind = PatternKind::kBumpMap;
       pattern.frequency = 0.0;
       pattern.own.edit().image = parse_bump_map(parser, m_normal.amount);
       after_pattern(parser);
-    } else if (parser.accept(Keyword::kBumpSize)) {
-      m_normal.amount = parser.parse_float();
-    } else if (parser.accept(Keyword::kAccuracy)) {
-      m_normal.accuracy = parser.parse_float();
     } else if (parser.accept(Keyword::kNoBumpScale)) {
       m_normal.no_bump_scale = true;
     } else if (parser.at(Keyword::kSlopeMap)) {

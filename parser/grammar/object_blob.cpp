@@ -67,9 +67,8 @@ BlobElement parse_blob_component(Parser& parser) {
 ShapeDesc parse_blob(Parser& parser, Context& context) {
   auto s = std::make_shared<BlobShape>();
   while (true) {
-    if (parser.accept(Keyword::kThreshold)) {
-      s->threshold = parser.parse_float();
-    } else if (parser.accept(Keyword::kSphere)) {
+    if (parser.accept(Keyword::kThreshold, s->threshold)) continue;
+    if (parser.accept(Keyword::kSphere)) {
       s->elements.push_back(parse_blob_element(parser, context, BlobElement::Kind::kSphere));
     } else if (parser.accept(Keyword::kCylinder)) {
       s->elements.push_back(parse_blob_element(parser, context, BlobElement::Kind::kCylinder));

@@ -40,14 +40,6 @@ ShapeDesc parse_isosurface(Parser& parser, Context&) {
   while (true) {
     if (parser.accept(Keyword::kContainedBy)) {
       s.container = parse_container(parser);
-    } else if (parser.accept(Keyword::kThreshold)) {
-      s.threshold = parser.parse_float();
-    } else if (parser.accept(Keyword::kAccuracy)) {
-      s.accuracy = parser.parse_float();
-    } else if (parser.accept(Keyword::kMaxGradient)) {
-      s.max_gradient = parser.parse_float();
-    } else if (parser.accept(Keyword::kMaxTrace)) {
-      s.max_trace = parser.parse_int();
     } else if (parser.accept(Keyword::kAllIntersections)) {
       s.all_intersections = true;
     } else if (parser.accept(Keyword::kOpen)) {
@@ -58,7 +50,10 @@ ShapeDesc parse_isosurface(Parser& parser, Context&) {
         value = parser.parse_float();
         parser.parse_comma();
       }
-    } else {
+    } else if (!parser.accept(Keyword::kThreshold, s.threshold) &&
+               !parser.accept(Keyword::kAccuracy, s.accuracy) &&
+               !parser.accept(Keyword::kMaxGradient, s.max_gradient) &&
+               !parser.accept(Keyword::kMaxTrace, s.max_trace)) {
       return s;
     }
     parser.parse_comma();
@@ -75,11 +70,7 @@ ShapeDesc parse_parametric(Parser& parser, Context&) {
   parser.parse_comma();
   s.hi = parse_uv(parser);
   while (true) {
-    if (parser.accept(Keyword::kAccuracy)) {
-      s.accuracy = parser.parse_float();
-    } else if (parser.accept(Keyword::kMaxGradient)) {
-      s.max_gradient = parser.parse_float();
-    } else if (parser.accept(Keyword::kContainedBy)) {
+    if (parser.accept(Keyword::kContainedBy)) {
       s.container = parse_container(parser);
     } else if (parser.accept(Keyword::kPrecompute)) {
       s.precompute_depth = parser.parse_int();
@@ -94,7 +85,8 @@ ShapeDesc parse_parametric(Parser& parser, Context&) {
           if (parser.accept(kAxes[axis])) s.precompute[axis] = found = true;
         }
       }
-    } else {
+    } else if (!parser.accept(Keyword::kAccuracy, s.accuracy) &&
+               !parser.accept(Keyword::kMaxGradient, s.max_gradient)) {
       return s;
     }
   }

@@ -217,6 +217,7 @@ struct Mesh2Reader {
 
   /// One block of the mesh; false if the next token starts none.
   bool accept_block(Parser& parser, Context& context) {
+    if (parser.accept(Keyword::kInsideVector, mesh.inside_vector)) return true;
     if (parser.accept(Keyword::kVertexVectors)) {
       parse_list(parser, mesh.vertices, [&] { return parser.parse_vector(); });
       if (mesh.vertices.empty()) parser.fail("No vertices in triangle mesh.");
@@ -245,8 +246,6 @@ struct Mesh2Reader {
     } else if (parser.accept(Keyword::kUvIndices)) {
       has_uv_indices = true;
       parse_counted(parser, [&](int) { uv_indices.push_back(parse_triple(parser)); });
-    } else if (parser.accept(Keyword::kInsideVector)) {
-      mesh.inside_vector = parser.parse_vector();
     } else {
       return false;
     }
@@ -289,12 +288,11 @@ struct Mesh2Reader {
 ShapeDesc parse_mesh(Parser& parser, Context& context) {
   MeshReader reader;
   while (true) {
+    if (parser.accept(Keyword::kInsideVector, reader.mesh.inside_vector)) continue;
     if (parser.accept(Keyword::kTriangle)) {
       reader.parse_face(parser, context, false);
     } else if (parser.accept(Keyword::kSmoothTriangle)) {
       reader.parse_face(parser, context, true);
-    } else if (parser.accept(Keyword::kInsideVector)) {
-      reader.mesh.inside_vector = parser.parse_vector();
     } else {
       break;
     }

@@ -28,6 +28,9 @@ bool is_julia_function(Keyword k) {
 ShapeDesc parse_bicubic_patch(Parser& parser, Context&) {
   auto s = std::make_shared<BicubicPatchShape>();
   while (true) {
+    if (parser.accept(Keyword::kFlatness, s->flatness) ||
+        parser.accept(Keyword::kUSteps, s->u_steps) || parser.accept(Keyword::kVSteps, s->v_steps))
+      continue;
     if (parser.accept(Keyword::kType)) {
       const Location where = parser.location();
       s->type = parser.parse_int();
@@ -38,12 +41,6 @@ ShapeDesc parse_bicubic_patch(Parser& parser, Context&) {
       if (s->type != 0 && s->type != 1) {
         parser.fail_at(where, "The type of a bicubic_patch must be 0 or 1.");
       }
-    } else if (parser.accept(Keyword::kFlatness)) {
-      s->flatness = parser.parse_float();
-    } else if (parser.accept(Keyword::kUSteps)) {
-      s->u_steps = parser.parse_int();
-    } else if (parser.accept(Keyword::kVSteps)) {
-      s->v_steps = parser.parse_int();
     } else if (parser.accept(Keyword::kAccuracy)) {
       (void)parser.parse_float();
     } else if (parser.accept(Keyword::kUvVectors)) {
@@ -122,12 +119,11 @@ ShapeDesc parse_julia_fractal(Parser& parser, Context&) {
   s.parameter = parse_vector4(parser);
   while (true) {
     const Token token = parser.peek();
+    if (parser.accept(Keyword::kMaxIteration, s.max_iteration)) continue;
     if (parser.accept(Keyword::kQuaternion)) {
       s.hypercomplex = false;
     } else if (parser.accept(Keyword::kHypercomplex)) {
       s.hypercomplex = true;
-    } else if (parser.accept(Keyword::kMaxIteration)) {
-      s.max_iteration = parser.parse_int();
     } else if (parser.accept(Keyword::kPrecision)) {
       s.precision = parser.parse_float();
       if (s.precision < 1.0) parser.fail("precision must be at least 1.");

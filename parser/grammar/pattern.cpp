@@ -95,7 +95,7 @@ void read_mandel(const Reader& r) {
 
 void read_julia(const Reader& r) {
   reset_fractal(r.pattern);
-  r.pattern.own.edit().julia = parse_vec2(r.parser);
+  r.pattern.own.edit().julia = parse_uv(r.parser);
   r.parser.parse_comma();
   r.pattern.own.edit().iterations = read_iterations(r.parser);
 }
@@ -111,7 +111,7 @@ void read_magnet(const Reader& r) {
     r.pattern.kind = PatternKind::kMagnetMandel;
   } else if (r.parser.accept(Keyword::kJulia)) {
     r.pattern.kind = PatternKind::kMagnetJulia;
-    r.pattern.own.edit().julia = parse_vec2(r.parser);
+    r.pattern.own.edit().julia = parse_uv(r.parser);
     r.parser.parse_comma();
   } else {
     r.parser.fail_expected("mandel or julia");
@@ -364,12 +364,6 @@ void parse_pattern_body(Parser& parser, MaterialContext& context, PatternTarget&
 }
 
 core::Rgb parse_rgb(Parser& parser) { return to_colour(parser.parse_colour()).rgb; }
-
-core::Vec2 parse_vec2(Parser& parser) {
-  const Number number = parser.parse_number(1, 5);
-  return number.size == 1 ? core::Vec2{number.v[0], number.v[0]}
-                          : core::Vec2{number.v[0], number.v[1]};
-}
 
 double parse_optional_float(Parser& parser, double otherwise) {
   return parser.at_expression() ? parser.parse_float() : otherwise;

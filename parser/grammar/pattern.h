@@ -3,7 +3,9 @@
 // Source: reference manual 3.7, "Patterns"; which words go together: measured on stock.
 #pragma once
 
+#include <memory>
 #include <string_view>
+#include <utility>
 
 #include "parser/descriptions/pattern.h"
 #include "parser/grammar/material.h"
@@ -38,6 +40,28 @@ class PatternTarget {
   /// Counts what its map holds.
   virtual void hold(Nesting& nesting) const = 0;
 };
+
+/// The items of a list that begins here: each is `statement` and what `read` reads behind it; those that are
+/// missing are what `standard` makes.
+template <typename Map, typename Standard, typename Read>
+std::shared_ptr<Map> parse_item_list(Parser& parser, int count, Keyword statement,
+                                     Standard standard, Read read) {
+  auto map = std::make_shared<Map>();
+  map->where = parser.location();
+  for (int i = 0; i < count; ++i) {
+    const bool given = parser.accept(statement);
+    map->entries.push_back({static_cast<double>(i), given ? read() : standard()});
+    if (given) parser.parse_comma();
+  }
+  return map;
+}
+/// The map of one item that uv_mapping has.
+template <typename Map, typename Item>
+std::shared_ptr<Map> map_of(Item item) {
+  auto map = std::make_shared<Map>();
+  map->entries.push_back({0.0, std::move(item)});
+  return map;
+}
 
 /// A pattern (or none), then modifiers while they last.
 void parse_pattern_body(Parser& parser, MaterialContext& context, PatternTarget& target);
@@ -83,16 +107,10 @@ Ref<DensityDesc> parse_density_body(Parser& parser, MaterialContext& context);
 /// The default of pigment, normal and finish in force.
 const TextureLayerDesc& default_layer(const MaterialContext& context);
 
-// Maps whose entries' values are weights.
-Ref<PigmentMapDesc> parse_pigment_map(Parser& parser, MaterialContext& context, bool average);
-Ref<NormalMapDesc> parse_normal_map(Parser& parser, MaterialContext& context, bool average);
-Ref<TextureMapDesc> parse_texture_map(Parser& parser, MaterialContext& context, bool average);
-Ref<DensityMapDesc> parse_density_map(Parser& parser, MaterialContext& context, bool average);
 /// A list of colours for the pattern: what is missing is filled with the pattern's defaults.
 Ref<ColourMapDesc> parse_colour_list(Parser& parser, PatternKind kind, int count);
 
 core::Rgb parse_rgb(Parser& parser);
-core::Vec2 parse_vec2(Parser& parser);
 /// A float if one is next, else `otherwise`.
 double parse_optional_float(Parser& parser, double otherwise);
 

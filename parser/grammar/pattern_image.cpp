@@ -146,12 +146,11 @@ std::shared_ptr<ImageDesc> parse_image_source(Parser& parser) {
 }
 
 bool accept_image_modifier(Parser& parser, ImageDesc& image) {
+  if (parser.accept(Keyword::kMapType, image.map_type) ||
+      parser.accept(Keyword::kInterpolate, image.interpolate))
+    return true;
   if (parser.accept(Keyword::kOnce)) {
     image.once = true;
-  } else if (parser.accept(Keyword::kMapType)) {
-    image.map_type = parser.parse_int();
-  } else if (parser.accept(Keyword::kInterpolate)) {
-    image.interpolate = parser.parse_int();
   } else if (parser.accept(Keyword::kUseColor)) {
     image.use = ImageDesc::Use::kColour;
   } else if (parser.accept(Keyword::kUseIndex)) {
@@ -159,12 +158,12 @@ bool accept_image_modifier(Parser& parser, ImageDesc& image) {
   } else if (parser.accept(Keyword::kUseAlpha)) {
     image.use = ImageDesc::Use::kAlpha;
   } else if (parser.accept(Keyword::kRepeat)) {
-    image.repeat = parse_vec2(parser);
+    image.repeat = parse_uv(parser);
     if (image.repeat.u <= 0.0 || image.repeat.v <= 0.0) {
       parser.fail("the repeat of an image must be greater than 0 both ways");
     }
   } else if (parser.accept(Keyword::kOffset)) {
-    image.offset = parse_vec2(parser);
+    image.offset = parse_uv(parser);
   } else {
     return false;
   }

@@ -1,5 +1,7 @@
 #include <algorithm>
+#include <array>
 #include <string>
+#include <variant>
 
 #include "parser/grammar/helpers.h"
 #include "parser/grammar/pattern.h"
@@ -33,14 +35,8 @@ bool accept_wave(Parser& parser, PatternDesc& pattern) {
     }
     return true;
   }
-  if (parser.accept(Keyword::kFrequency)) {
-    pattern.frequency = parser.parse_float();
-  } else if (parser.accept(Keyword::kPhase)) {
-    pattern.phase = parser.parse_float();
-  } else {
-    return false;
-  }
-  return true;
+  return parser.accept(Keyword::kFrequency, pattern.frequency) ||
+         parser.accept(Keyword::kPhase, pattern.phase);
 }
 
 bool accept_crackle_word(Parser& parser, PatternDesc& p) {
@@ -59,15 +55,6 @@ bool accept_crackle_word(Parser& parser, PatternDesc& p) {
   } else if (parser.accept(Keyword::kMetric)) {
     only_in(parser, crackle || facets, "metric", "crackle or facets");
     (crackle ? p.own.edit().crackle_metric : p.own.edit().facets_metric) = parser.parse_vector().x;
-  } else if (parser.accept(Keyword::kOffset)) {
-    only_in(parser, crackle, "offset", "crackle");
-    p.own.edit().crackle_offset = parser.parse_float();
-  } else if (parser.accept(Keyword::kCoords)) {
-    only_in(parser, facets, "coords", "facets");
-    p.own.edit().facets_coords = parser.parse_float();
-  } else if (parser.accept(Keyword::kSize)) {
-    only_in(parser, facets, "size", "facets");
-    p.own.edit().facets_size = parser.parse_float();
   } else {
     return false;
   }
@@ -106,48 +93,53 @@ bool accept_fractal_word(Parser& parser, PatternDesc& p) {
       parser.warn("exponents of mandel and julia go from 2 to 33; 2 is taken");
       own.exponent = 2;
     }
-  } else if (parser.accept(Keyword::kNumberOfSides)) {
-    only_in(parser, pavement, "number_of_sides", "pavement");
-    p.own.edit().pavement_sides = parser.parse_int();
-  } else if (parser.accept(Keyword::kNumberOfTiles)) {
-    only_in(parser, pavement, "number_of_tiles", "pavement");
-    p.own.edit().pavement_tiles = parser.parse_int();
-  } else if (parser.accept(Keyword::kPattern)) {
-    only_in(parser, pavement, "pattern", "pavement");
-    p.own.edit().pavement_pattern = parser.parse_int();
   } else {
     return false;
   }
   return true;
 }
 
-bool accept_special_word(Parser& parser, PatternDesc& p) {
-  if (parser.accept(Keyword::kControl0)) {
-    only_in(parser, p.kind == PatternKind::kQuilted, "control0", "quilted");
-    p.own.edit().quilt0 = parser.parse_float();
-  } else if (parser.accept(Keyword::kControl1)) {
-    only_in(parser, p.kind == PatternKind::kQuilted, "control1", "quilted");
-    p.own.edit().quilt1 = parser.parse_float();
-  } else if (parser.accept(Keyword::kAgateTurb)) {
-    only_in(parser, p.kind == PatternKind::kAgate, "agate_turb", "agate");
-    p.own.edit().agate_turbulence = parser.parse_float();
-  } else if (parser.accept(Keyword::kBrickSize)) {
-    only_in(parser, p.kind == PatternKind::kBrick, "brick_size", "brick");
-    p.own.edit().brick_size = parser.parse_vector();
-  } else if (parser.accept(Keyword::kMortar)) {
-    only_in(parser, p.kind == PatternKind::kBrick, "mortar", "brick");
-    p.own.edit().mortar = parser.parse_float();
-  } else if (parser.accept(Keyword::kInterpolate)) {
-    only_in(parser, p.kind == PatternKind::kDensityFile, "interpolate", "density_file");
-    p.own.edit().density_interpolate = parser.parse_int();
-  } else if (parser.accept(Keyword::kNoiseGenerator)) {
-    p.noise_generator = parser.parse_int();
-    if (p.noise_generator < 0 || p.noise_generator > 3) {
-      parser.fail("noise_generator is 0, 1, 2 or 3");
-    }
-  } else {
-    return false;
-  }
+/// A word that one pattern alone has, with a number or vector behind it.
+struct OwnWord {
+  Keyword keyword;
+  PatternKind kind;
+  std::variant<double PatternParameters::*, int PatternParameters::*,
+               core::Vec3 PatternParameters::*>
+      value;
+};
+constexpr std::array kOwnWords{
+    OwnWord{Keyword::kOffset, PatternKind::kCrackle, &PatternParameters::crackle_offset},
+    OwnWord{Keyword::kCoords, PatternKind::kFacets, &PatternParameters::facets_coords},
+    OwnWord{Keyword::kSize, PatternKind::kFacets, &PatternParameters::facets_size},
+    OwnWord{Keyword::kNumberOfSides, PatternKind::kPavement, &PatternParameters::pavement_sides},
+    OwnWord{Keyword::kNumberOfTiles, PatternKind::kPavement, &PatternParameters::pavement_tiles},
+    OwnWord{Keyword::kPattern, PatternKind::kPavement, &PatternParameters::pavement_pattern},
+    OwnWord{Keyword::kControl0, PatternKind::kQuilted, &PatternParameters::quilt0},
+    OwnWord{Keyword::kControl1, PatternKind::kQuilted, &PatternParameters::quilt1},
+    OwnWord{Keyword::kAgateTurb, PatternKind::kAgate, &PatternParameters::agate_turbulence},
+    OwnWord{Keyword::kBrickSize, PatternKind::kBrick, &PatternParameters::brick_size},
+    OwnWord{Keyword::kMortar, PatternKind::kBrick, &PatternParameters::mortar},
+    OwnWord{Keyword::kInterpolate, PatternKind::kDensityFile,
+            &PatternParameters::density_interpolate},
+};
+
+bool accept_own_word(Parser& parser, PatternDesc& p) {
+  const OwnWord* word = find_entry<kOwnWords>(parser.peek());
+  if (!word) return false;
+  parser.next();
+  only_in(parser, p.kind == word->kind, spelling(word->keyword), pattern_name(word->kind));
+  const auto read = [&]<typename T>(T PatternParameters::*value) {
+    const T read_now = parser.parse<T>();
+    p.own.edit().*value = read_now;
+  };
+  std::visit(read, word->value);
+  return true;
+}
+
+bool accept_noise_word(Parser& parser, PatternDesc& p) {
+  if (!parser.accept(Keyword::kNoiseGenerator, p.noise_generator)) return false;
+  if (p.noise_generator < 0 || p.noise_generator > 3)
+    parser.fail("noise_generator is 0, 1, 2 or 3");
   return true;
 }
 
@@ -171,10 +163,9 @@ void refuse_foreign_word(Parser& parser) {
 
 /// `orientation` and `dist_exp` of a mapping warp.
 bool accept_mapping_word(Parser& parser, WarpDesc::Kind kind, WarpParameters& warp) {
+  if (parser.accept(Keyword::kDistExp, warp.distance_exponent)) return true;
   if (parser.accept(Keyword::kOrientation)) {
     warp.orientation = core::normalized(parser.parse_vector());
-  } else if (parser.accept(Keyword::kDistExp)) {
-    warp.distance_exponent = parser.parse_float();
   } else if (kind == WarpDesc::Kind::kToroidal && parser.accept(Keyword::kMajorRadius)) {
     warp.major_radius = parser.parse_float();
   } else {
@@ -195,9 +186,8 @@ void parse_repeat(Parser& parser, WarpParameters& warp) {
   if (axes > 1) parser.fail("repeat goes along one axis only");
   warp.width = step[warp.axis];
   for (;;) {
-    if (parser.accept(Keyword::kOffset)) {
-      warp.offset = parser.parse_vector();
-    } else if (parser.accept(Keyword::kFlip)) {
+    if (parser.accept(Keyword::kOffset, warp.offset)) continue;
+    if (parser.accept(Keyword::kFlip)) {
       const core::Vec3 flip = parser.parse_vector();
       for (int axis = 0; axis < 3; ++axis) warp.flip[axis] = flip[axis] != 0.0 ? -1.0 : 1.0;
     } else {
@@ -224,11 +214,10 @@ void parse_black_hole(Parser& parser, WarpParameters& warp) {
   parser.parse_comma();
   warp.radius = parser.parse_float();
   for (;;) {
-    if (parser.accept(Keyword::kStrength)) {
-      warp.strength = parser.parse_float();
-    } else if (parser.accept(Keyword::kFalloff)) {
-      warp.power = parser.parse_float();
-    } else if (parser.accept(Keyword::kInverse)) {
+    if (parser.accept(Keyword::kStrength, warp.strength) ||
+        parser.accept(Keyword::kFalloff, warp.power))
+      continue;
+    if (parser.accept(Keyword::kInverse)) {
       warp.inverse = true;
     } else if (parser.accept(Keyword::kType)) {
       parser.parse_float();
@@ -249,12 +238,11 @@ void parse_black_hole(Parser& parser, WarpParameters& warp) {
 void parse_warp_turbulence(Parser& parser, WarpParameters& warp) {
   warp.turbulence.amount = parser.parse_vector();
   for (;;) {
+    if (parser.accept(Keyword::kOmega, warp.turbulence.omega) ||
+        parser.accept(Keyword::kLambda, warp.turbulence.lambda))
+      continue;
     if (parser.accept(Keyword::kOctaves)) {
       warp.turbulence.octaves = parse_octaves(parser);
-    } else if (parser.accept(Keyword::kOmega)) {
-      warp.turbulence.omega = parser.parse_float();
-    } else if (parser.accept(Keyword::kLambda)) {
-      warp.turbulence.lambda = parser.parse_float();
     } else {
       return;
     }
@@ -322,7 +310,7 @@ bool accept_pattern_modifier(Parser& parser, PatternTarget& target) {
   PatternDesc& pattern = target.pattern();
   if (accept_turbulence_word(parser, pattern) || accept_wave(parser, pattern) ||
       accept_crackle_word(parser, pattern) || accept_fractal_word(parser, pattern) ||
-      accept_special_word(parser, pattern)) {
+      accept_own_word(parser, pattern) || accept_noise_word(parser, pattern)) {
     return true;
   }
   if (parser.accept(Keyword::kWarp)) {

@@ -30,25 +30,15 @@ class PigmentTarget final : public PatternTarget {
       m_pigment.pigment_map = nullptr;
       return;
     }
-    auto map = std::make_shared<PigmentMapDesc>();
-    map->where = parser.location();
-    for (int i = 0; i < count; ++i) {
-      Ref<PigmentDesc> item = default_layer(m_context).pigment;
-      if (parser.accept(Keyword::kPigment)) {
-        item = parse_pigment(parser, m_context);
-        parser.parse_comma();
-      }
-      map->entries.push_back({static_cast<double>(i), item});
-    }
-    m_pigment.pigment_map = map;
+    m_pigment.pigment_map = parse_item_list<PigmentMapDesc>(
+        parser, count, Keyword::kPigment, [&] { return default_layer(m_context).pigment; },
+        [&] { return parse_pigment(parser, m_context); });
     m_pigment.colour_map = nullptr;
   }
 
   void read_item(Parser& parser) override {
-    auto map = std::make_shared<PigmentMapDesc>();
-    map->entries.push_back(
-        {0.0, parse_pigment_body(parser, m_context, default_layer(m_context).pigment)});
-    m_pigment.pigment_map = map;
+    m_pigment.pigment_map = map_of<PigmentMapDesc>(
+        parse_pigment_body(parser, m_context, default_layer(m_context).pigment));
     m_pigment.colour_map = nullptr;
   }
 

@@ -19,23 +19,13 @@ class TextureTarget final : public PatternTarget {
   void hold(Nesting& nesting) const override { hold_map(nesting, m_layer.map.get()); }
 
   void read_list(Parser& parser, int count) override {
-    auto map = std::make_shared<TextureMapDesc>();
-    map->where = parser.location();
-    for (int i = 0; i < count; ++i) {
-      Ref<TextureDesc> item = m_context.default_texture;
-      if (parser.accept(Keyword::kTexture)) {
-        item = parse_texture(parser, m_context);
-        parser.parse_comma();
-      }
-      map->entries.push_back({static_cast<double>(i), item});
-    }
-    m_layer.map = map;
+    m_layer.map = parse_item_list<TextureMapDesc>(
+        parser, count, Keyword::kTexture, [&] { return m_context.default_texture; },
+        [&] { return parse_texture(parser, m_context); });
   }
 
   void read_item(Parser& parser) override {
-    auto map = std::make_shared<TextureMapDesc>();
-    map->entries.push_back({0.0, parse_texture_body(parser, m_context)});
-    m_layer.map = map;
+    m_layer.map = map_of<TextureMapDesc>(parse_texture_body(parser, m_context));
   }
 
   bool accept_own_modifier(Parser& parser) override {

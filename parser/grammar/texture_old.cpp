@@ -136,31 +136,22 @@ bool accept_normal_word(Parser& parser, OldTexture& old) {
 
 bool accept_finish_word(Parser& parser, FinishDesc& finish) {
   const auto grey = [&] { return core::Rgb(static_cast<float>(parser.parse_float())); };
+  if (parser.accept(Keyword::kDiffuse, finish.diffuse) ||
+      parser.accept(Keyword::kBrilliance, finish.brilliance) ||
+      parser.accept(Keyword::kPhong, finish.phong) ||
+      parser.accept(Keyword::kPhongSize, finish.phong_size) ||
+      parser.accept(Keyword::kSpecular, finish.specular) ||
+      parser.accept(Keyword::kRoughness, finish.roughness) ||
+      parser.accept(Keyword::kCrand, finish.crand) || parser.accept(Keyword::kIor, finish.ior) ||
+      parser.accept(Keyword::kRefraction, finish.refraction))
+    return true;
   if (parser.accept(Keyword::kAmbient)) {
     finish.ambient = grey();
-  } else if (parser.accept(Keyword::kDiffuse)) {
-    finish.diffuse = parser.parse_float();
-  } else if (parser.accept(Keyword::kBrilliance)) {
-    finish.brilliance = parser.parse_float();
   } else if (parser.accept(Keyword::kReflection)) {
     finish.reflection = {};
     finish.reflection.minimum = finish.reflection.maximum = grey();
-  } else if (parser.accept(Keyword::kPhong)) {
-    finish.phong = parser.parse_float();
-  } else if (parser.accept(Keyword::kPhongSize)) {
-    finish.phong_size = parser.parse_float();
-  } else if (parser.accept(Keyword::kSpecular)) {
-    finish.specular = parser.parse_float();
-  } else if (parser.accept(Keyword::kRoughness)) {
-    finish.roughness = parser.parse_float();
   } else if (parser.accept(Keyword::kMetallic)) {
     finish.metallic = 1.0;
-  } else if (parser.accept(Keyword::kCrand)) {
-    finish.crand = parser.parse_float();
-  } else if (parser.accept(Keyword::kIor)) {
-    finish.ior = parser.parse_float();
-  } else if (parser.accept(Keyword::kRefraction)) {
-    finish.refraction = parser.parse_float();
   } else {
     return false;
   }

@@ -80,11 +80,11 @@ bool Directives::declare_plain(const Location& directive, bool local) {
   if (symbol && (!symbol->is_plain() || symbol->file())) return false;
   Number number;
   std::string text;
-  const bool is_number = m_in.expressions.read_raw_assignment(number);
-  if (!is_number && !m_in.expressions.read_raw_assignment(text)) return false;
+  const Expressions::Item item = m_in.expressions.read_plain_assignment(number, text);
+  if (item == Expressions::Item::kNone) return false;
   if (!symbol) symbol = &m_in.symbols.declare_at(name->name, level);
   Number* held = std::get_if<Number>(&symbol->value);
-  if (!is_number)
+  if (item == Expressions::Item::kString)
     symbol->value = std::move(text);
   else if (held)
     *held = stored(number);
@@ -187,7 +187,7 @@ void Directives::undef() {
 Value Directives::parse_rvalue() {
   m_in.guard_stack();
   TokenReader& tokens = m_in.tokens;
-  if (Number n; m_in.expressions.read_raw(RawExpressions::Level::kAdditive, n)) return stored(n);
+  if (Number n; m_in.expressions.read_plain(n, Precedence::kSum)) return stored(n);
   const Token first = tokens.peek_operand();
   if (first.is(Keyword::kArray)) {
     tokens.skip();

@@ -41,7 +41,7 @@ void Directives::missing_end(const Token& opener) {
 }
 
 bool Directives::condition() {
-  if (Number n; m_in.expressions.read_raw_condition(n)) return is_true(n.v[0]);
+  if (double x = 0.0; m_in.expressions.read_plain_condition(x)) return is_true(x);
   m_in.tokens.expect(Punct::kLeftParen);
   const Number n = m_in.expressions.parse_expression();
   if (n.size > 1) m_in.tokens.fail_expected("a float");

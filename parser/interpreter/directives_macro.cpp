@@ -72,7 +72,7 @@ SymbolPtr Directives::plain_argument() {
       return made;
     }
   }
-  if (Number n; m_in.expressions.read_raw(RawExpressions::Level::kAdditive, n)) {
+  if (Number n; m_in.expressions.read_plain(n, Precedence::kSum)) {
     made = make_symbol();
     made->value = stored(n);
   }

@@ -107,44 +107,42 @@ Ref<SplineDesc> Expressions::parse_spline() {
   return spline;
 }
 
-Number Expressions::call_spline(const Ref<SplineDesc>& named) {
-  TokenReader& tokens = m_in.tokens;
-  tokens.expect(Punct::kLeftParen);
+Number ScriptTokens::call_spline(const Ref<SplineDesc>& named) {
+  m_tokens.expect(Punct::kLeftParen);
   Ref<SplineDesc> spline = named;
-  const double at = parse_float();
-  if (tokens.accept(Punct::kComma)) {
-    const auto kind = spline_kind(tokens.peek());
+  const double at = m_in.expressions.parse_float();
+  if (m_tokens.accept(Punct::kComma)) {
+    const auto kind = spline_kind(m_tokens.peek());
     if (!kind)
-      tokens.fail_expected("linear_spline, quadratic_spline, cubic_spline or natural_spline");
-    tokens.skip();
+      m_tokens.fail_expected("linear_spline, quadratic_spline, cubic_spline or natural_spline");
+    m_tokens.skip();
     auto other = std::make_shared<SplineDesc>(*spline);
     other->kind = *kind;
     other->prepare();
     spline = other;
   }
-  tokens.expect(Punct::kRightParen);
+  m_tokens.expect(Punct::kRightParen);
   return {spline->evaluate(at), spline->size};
 }
 
-Number Expressions::call_function(const Ref<FunctionDesc>& desc, std::string_view name) {
-  TokenReader& tokens = m_in.tokens;
+Number ScriptTokens::call_function(const Ref<FunctionDesc>& desc, std::string_view name) {
   const core::Function& function = *desc->function;
-  const Location where = tokens.location();
+  const Location where = m_tokens.location();
   const std::string called(name);
-  tokens.expect(Punct::kLeftParen);
+  m_tokens.expect(Punct::kLeftParen);
   std::array<double, core::kMostParameters> arguments;
   const std::size_t wanted = function.parameters();
   std::size_t count = 0;
-  while (!tokens.at(Punct::kRightParen) && count < wanted) {
-    arguments[count++] = parse_float();
-    tokens.comma();
+  while (!m_tokens.at(Punct::kRightParen) && count < wanted) {
+    arguments[count++] = m_in.expressions.parse_float();
+    m_tokens.comma();
   }
-  if (count < wanted || !tokens.at(Punct::kRightParen)) {
-    m_in.fail(tokens.location(), "function " + called + " takes " + std::to_string(wanted) +
+  if (count < wanted || !m_tokens.at(Punct::kRightParen)) {
+    m_in.fail(m_tokens.location(), "function " + called + " takes " + std::to_string(wanted) +
                                      " arguments, found " +
                                      (count < wanted ? std::to_string(count) : "more"));
   }
-  tokens.skip();
+  m_tokens.skip();
   if (const std::string missing = function.not_yet(); !missing.empty()) {
     m_in.diagnostics.not_yet(missing, where);
   }

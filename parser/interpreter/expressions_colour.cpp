@@ -1,22 +1,33 @@
 // Colours: `rgb 1`, `rgbft <..>`, `srgb <..>`, `color red 1 green .5`, `Red*0.5 filter .2` ...
+#include <algorithm>
+
 #include "parser/base/gamma.h"
 #include "parser/interpreter/interpreter.h"
 
 namespace lentray::parser {
+
+/// What is behind a keyword: r, g, b and as many more.
+struct ColourWord {
+  Keyword keyword;
+  int size;
+  bool is_srgb = false, has_transmit_alone = false;
+};
 namespace {
 
-bool is_vector_keyword(Keyword k) {
-  switch (k) {
-    case Keyword::kRgb:
-    case Keyword::kRgbf:
-    case Keyword::kRgbt:
-    case Keyword::kRgbft:
-    case Keyword::kSrgb:
-    case Keyword::kSrgbf:
-    case Keyword::kSrgbt:
-    case Keyword::kSrgbft: return true;
-    default: return false;
-  }
+constexpr ColourWord kColourWords[] = {{Keyword::kRgb, 3},
+                                       {Keyword::kRgbf, 4},
+                                       {Keyword::kRgbt, 4, false, true},
+                                       {Keyword::kRgbft, 5},
+                                       {Keyword::kSrgb, 3, true},
+                                       {Keyword::kSrgbf, 4, true},
+                                       {Keyword::kSrgbt, 4, true, true},
+                                       {Keyword::kSrgbft, 5, true}};
+
+/// Null if it is none.
+const ColourWord* colour_word(const Token& token) {
+  const auto* found =
+      std::ranges::find_if(kColourWords, [&](const ColourWord& w) { return token.is(w.keyword); });
+  return found != std::end(kColourWords) ? found : nullptr;
 }
 
 int component(Keyword k) {
@@ -36,8 +47,7 @@ int component(Keyword k) {
 bool Expressions::at_colour_keyword() {
   const Token& t = m_in.tokens.peek();
   return t.kind == TokenKind::kKeyword &&
-         (t.keyword == Keyword::kColor || is_vector_keyword(t.keyword) ||
-          component(t.keyword) >= 0);
+         (t.keyword == Keyword::kColor || colour_word(t) || component(t.keyword) >= 0);
 }
 
 bool Expressions::at_colour() {
@@ -51,29 +61,24 @@ bool Expressions::at_colour() {
 }
 
 // After rgb, rgbf ...
-Number Expressions::colour_from(Keyword keyword) {
-  const bool filter = keyword == Keyword::kRgbf || keyword == Keyword::kSrgbf;
-  const bool transmit = keyword == Keyword::kRgbt || keyword == Keyword::kSrgbt;
-  const bool both = keyword == Keyword::kRgbft || keyword == Keyword::kSrgbft;
-  const bool srgb = keyword == Keyword::kSrgb || keyword == Keyword::kSrgbf ||
-                    keyword == Keyword::kSrgbt || keyword == Keyword::kSrgbft;
-  const int size = both ? 5 : filter || transmit ? 4 : 3;
-  if (srgb && !m_in.working_gamma) {
+Number Expressions::colour_from(const ColourWord& word) {
+  if (word.is_srgb && !m_in.working_gamma) {
     m_in.fail(m_in.tokens.peek().where, "sRGB colours need an assumed_gamma before them");
   }
   Location where;
-  Number n = parse_located(RawExpressions::Level::kEverything, size, where);
-  if (n.size > size) {
+  Number n;
+  m_script.located(n, Precedence::kLogical, where);
+  if (n.size > word.size) {
     m_in.warn(where, "more components than the colour keyword before them takes");
   }
-  promote(n, size);
+  promote(n, word.size);
   for (std::size_t i = static_cast<std::size_t>(n.size); i < 5; ++i) n.v[i] = 0.0;
   n.size = 5;
-  if (transmit) {
+  if (word.has_transmit_alone) {
     n.v[4] = n.v[3];
     n.v[3] = 0.0;
   }
-  if (srgb) {
+  if (word.is_srgb) {
     const Gamma working = Gamma::of(*m_in.working_gamma);
     for (std::size_t i = 0; i < 3; ++i)
       n.v[i] = Gamma::srgb().recoded(static_cast<float>(n.v[i]), working);
@@ -100,9 +105,9 @@ Number Expressions::parse_colour() {
   const Token first = tokens.peek_operand();
   Number colour;
   colour.size = 5;
-  if (first.kind == TokenKind::kKeyword && is_vector_keyword(first.keyword)) {
+  if (const ColourWord* word = colour_word(first)) {
     tokens.skip();
-    colour = colour_from(first.keyword);
+    colour = colour_from(*word);
   } else if (first.kind == TokenKind::kKeyword && component(first.keyword) >= 0) {
     // read below
   } else if (at_expression()) {

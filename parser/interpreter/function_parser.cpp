@@ -4,6 +4,7 @@
 #include <array>
 #include <optional>
 #include <stdexcept>
+#include <string_view>
 #include <utility>
 
 #include "core/function/internal.h"
@@ -331,26 +332,11 @@ int FunctionParser::component(std::size_t size) {
   TokenReader& tokens = m_in.tokens;
   if (!tokens.accept(Punct::kDot)) return -1;
   const Token name = tokens.next();
-  int i = -1;
-  switch (name.kind == TokenKind::kKeyword ? name.keyword : Keyword::kNone) {
-    case Keyword::kX:
-    case Keyword::kU:
-    case Keyword::kRed: i = 0; break;
-    case Keyword::kY:
-    case Keyword::kV:
-    case Keyword::kGreen: i = 1; break;
-    case Keyword::kZ:
-    case Keyword::kBlue: i = 2; break;
-    case Keyword::kT:
-    case Keyword::kFilter: i = 3; break;
-    case Keyword::kTransmit: i = 4; break;
-    case Keyword::kGray: i = kGrayComponent; break;
-    default:
-      if (name.kind != TokenKind::kIdentifier) break;
-      if (m_in.names.text(name.name) == "grey") i = kGrayComponent;
-      if (m_in.names.text(name.name) == "hf") i = kHeightComponent;
-      break;
-  }
+  int i = name.kind == TokenKind::kKeyword ? component_of(name.keyword) : -1;
+  const std::string_view word =
+      name.kind == TokenKind::kIdentifier ? m_in.names.text(name.name) : std::string_view();
+  if (name.is(Keyword::kGray) || word == "grey") i = kGrayComponent;
+  if (word == "hf") i = kHeightComponent;
   if (i < 0) {
     m_in.fail(name.where, "expected a component of a value with " + std::to_string(size) +
                               " components after '.' but found " + tokens.describe(name));

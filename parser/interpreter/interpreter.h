@@ -43,6 +43,8 @@ struct Interpreter {
   ScriptFiles files;
 
   int version = 370;  ///< x 100
+  /// The first dialect has none.
+  bool has_arithmetic() const { return version >= 150; }
   bool version_set = false;
   /// The scene's, as far as it is known; set by global_settings or by the version.
   std::shared_ptr<int> noise_generator = std::make_shared<int>(2);

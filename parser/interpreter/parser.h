@@ -12,6 +12,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <type_traits>
 #include <vector>
 
 #include "core/base/transform.h"
@@ -61,7 +62,7 @@ struct ParserOptions {
   bool only_check = false;
   /// A text of more than 64 bytes for each is made tokens in pieces of so many: what a processor's cache holds.
   std::size_t piece_tokens = 4096;
-  bool raw_expressions = true;  ///< false: every expression by the grammar, to compare the two
+  bool plain_expressions = true;  ///< false: all of them as ScriptTokens, to compare the two
   /// Set from outside to stop soon: Cancelled is thrown. Null: nobody asks.
   const std::atomic<bool>* cancel = nullptr;
 };
@@ -87,6 +88,19 @@ class Parser {
   bool at(Punct punct);
   bool accept(Keyword keyword);  ///< consume if it is next
   bool accept(Punct punct);
+  /// The word and the number or vector behind it.
+  template <typename T>
+  bool accept(Keyword keyword, T& value) {
+    const bool next = accept(keyword);
+    if (next) value = parse<T>();
+    return next;
+  }
+  template <typename T>
+  bool accept(Keyword keyword, std::optional<T>& value) {
+    const bool next = accept(keyword);
+    if (next) value = parse<T>();
+    return next;
+  }
   /// Words that are no keywords, by their spelling, whatever the scene has declared by that name.
   bool at_word(std::string_view word);
   bool accept_word(std::string_view word);
@@ -105,6 +119,18 @@ class Parser {
   bool parse_bool();  ///< optional in SDL: `on`, `off`, a float; nothing means true
   int parse_int();
   core::Vec3 parse_vector();  ///< full expression; a float is promoted
+  /// That of them which is meant.
+  template <typename T>
+  T parse() {
+    if constexpr (std::is_same_v<T, core::Vec3>) {
+      return parse_vector();
+    } else if constexpr (std::is_same_v<T, int>) {
+      return parse_int();
+    } else {
+      static_assert(std::is_floating_point_v<T>);
+      return static_cast<T>(parse_float());
+    }
+  }
   Number parse_number(int min_size = 1, int max_size = 5);  ///< expression of any size
   Number parse_colour();  ///< colour expression incl. `rgb`, `color red 1 ...`
   bool at_colour();       ///< the next token can start a colour

@@ -146,9 +146,9 @@ void ScriptFiles::write() {
   for (;;) {
     const std::size_t start = text.size();
     Number n;
-    switch (m_in.expressions.read_raw_item(n, text)) {
-      case RawExpressions::Item::kNumber: append_value(text, n); continue;
-      case RawExpressions::Item::kString: only_ascii(text, start); continue;
+    switch (m_in.expressions.read_plain_item(n, text)) {
+      case Expressions::Item::kNumber: append_value(text, n); continue;
+      case Expressions::Item::kString: only_ascii(text, start); continue;
       default: break;
     }
     if (tokens.accept(Punct::kComma)) continue;

@@ -77,7 +77,7 @@ class TokenReader {
   /// The same of the twelve numbers of a matrix, at what `matrix` is before.
   bool accept_literal_matrix(core::Matrix& rows);
   /// The token that comes next, if it stands in the text just so, and the list it is of; or null.
-  /// What RawExpressions can read begins there; go_on_at() says where it ended.
+  /// What PlainTokens can be begins there; go_on_at() says where it ended.
   const Token* raw(const TokenList*& list) const {
     if (m_stream.empty() || plain_names) return nullptr;
     const Frame& frame = m_stream.top();

@@ -9,8 +9,8 @@
 
 #include "camera/text.h"
 #include "core/image/run_files.h"
+#include "parser/options/options_table.h"
 #include "parser/options/said_options.h"
-#include "parser/options/sheet_options.h"
 
 namespace lentray::parser {
 namespace {
@@ -18,17 +18,9 @@ namespace {
 namespace fs = std::filesystem;
 using camera::LensProfile;
 
-struct LensDataOption {
-  std::string_view name;
-  void (*apply)(RenderOptions&, const GivenOption&);
-};
-constexpr LensDataOption kDataOptions[] = {{"Lens_Pitch", sheet_option::pitch},
-                                           {"Lens_LPI", sheet_option::lpi},
-                                           {"Lens_Focal_Length", sheet_option::focal_length},
-                                           {"Lens_Thickness", sheet_option::thickness},
-                                           {"Lens_Radius", sheet_option::radius},
-                                           {"Lens_IOR", sheet_option::ior},
-                                           {"Lens_Angle", sheet_option::angle}};
+constexpr std::string_view kDataOptions[] = {"Lens_Pitch",     "Lens_LPI",    "Lens_Focal_Length",
+                                             "Lens_Thickness", "Lens_Radius", "Lens_IOR",
+                                             "Lens_Angle"};
 
 void apply_line(RenderOptions& scratch, const std::string& path, const IniLine& line) {
   GivenOption given;
@@ -36,11 +28,12 @@ void apply_line(RenderOptions& scratch, const std::string& path, const IniLine& 
   given.shown = line.text + "=" + line.value;
   given.value = line.value;
   std::string known;
-  for (const LensDataOption& option : kDataOptions) {
-    if (line.kind == IniLine::Kind::kOption && same_word(option.name, line.text)) {
-      return option.apply(scratch, given);
+  for (const std::string_view name : kDataOptions) {
+    if (line.kind == IniLine::Kind::kOption && same_word(name, line.text)) {
+      return std::ranges::find(option_table(), name, &OptionRow::name)
+          ->access.apply(scratch, given);
     }
-    known += (known.empty() ? "" : ", ") + std::string(option.name);
+    known += (known.empty() ? "" : ", ") + std::string(name);
   }
   throw OptionError(given.where + "'" + line.text + "' says nothing of a lens sheet: there are " +
                     known);

@@ -69,7 +69,7 @@ void watched(RenderOptions& options, const GivenOption& given, const Work& work)
 }
 
 void OptionsReader::apply(const OptionRow& row, const GivenOption& given) {
-  watched(m_options, given, [&] { row.apply(m_options, given); });
+  watched(m_options, given, [&] { row.access.apply(m_options, given); });
   if (row.name.empty()) return;
   std::string where = given.where;
   if (where.ends_with(": ")) where.resize(where.size() - 2);

@@ -12,8 +12,8 @@ namespace lentray::parser {
 struct OptionHelp {
   std::string_view name;   ///< as in the table; with -- in front: not of the table
   std::string_view value;  ///< what stands behind =: n, file, or words with | between them
-  std::string_view text;
-  std::string_view switches;  ///< empty: made of the table's switch and of `value`
+  std::string_view text = {};
+  std::string_view switches = {};  ///< empty: made of the table's switch and of `value`
 };
 
 struct OptionGroup {

@@ -8,7 +8,7 @@
 #include <limits>
 #include <utility>
 
-#include "parser/options/option_values.h"
+#include "parser/options/option_access.h"
 #include "parser/options/sheet_options.h"
 #include "parser/options/view_options_reader.h"
 
@@ -20,20 +20,12 @@ using Given = GivenOption;
 
 void ignore(Options&, const Given&) {}
 
+constexpr bool is_not_negative(double x) { return x >= 0.0; }
+
 /// Off is what happens anyway; on is not there yet.
-template <int N>
-struct Word {
-  char text[N]{};
-  constexpr Word(const char (&t)[N]) { std::copy_n(t, N, text); }
-};
 template <Word what>
 void only_off(Options& o, const Given& g) {
   if (truth(o, g)) not_yet(o, g, what.text);
-}
-
-template <bool Options::*member>
-void set_bool(Options& o, const Given& g) {
-  o.*member = truth(o, g);
 }
 
 /// On stays on, whoever says what later.
@@ -67,7 +59,6 @@ void set_stream_file(Options& o, const Given& g) {
     if (same_word(g.value, word)) o.*file = usual.text;
   }
 }
-void set_stock_messages(Options& o, const Given& g) { o.stock_messages = truth(o, g); }
 void set_create_ini(Options& o, const Given& g) {
   o.create_ini = g.sign != '-';
   o.ini_file = g.value;
@@ -84,34 +75,16 @@ void set_antialias(Options& o, const Given& g) {
   if (g.sign != 0 && !g.value.empty()) o.antialias_threshold = cut_number(o, g, 0.0, 1.0);
   o.antialias = truth(o, g);
 }
-void set_threshold(Options& o, const Given& g) {
-  o.antialias_threshold = cut_number(o, g, 0.0, 1.0);
-}
-void set_sampling(Options& o, const Given& g) {
-  o.sampling_method = static_cast<int>(cut_whole(o, g, 0, 2));
-}
+template <std::optional<double> Options::*member>
+constexpr OptionAccess kEdge =
+    kNumber<member, is_not_negative,
+            "a column or row from 1 on, or a part from 0 to 1, is expected">;
 void set_antialias_gamma(Options& o, const Given& g) {
   o.antialias_gamma = std::max(number(g), 0.0);
-}
-void set_depth(Options& o, const Given& g) {
-  o.antialias_depth = static_cast<int>(cut_whole(o, g, 1, 9));
 }
 void set_jitter(Options& o, const Given& g) {
   if (g.sign != 0 && !g.value.empty()) o.jitter_amount = cut_number(o, g, 0.0, 1.0);
   o.jitter = truth(o, g);
-}
-void set_jitter_amount(Options& o, const Given& g) { o.jitter_amount = cut_number(o, g, 0.0, 1.0); }
-void set_angles(Options& o, const Given& g) {
-  o.antialias_angles = static_cast<int>(whole_number(g, 1, 64));
-}
-void set_grid(Options& o, const Given& g) {
-  o.antialias_grid = static_cast<int>(whole_number(g, 0, 64));
-}
-template <std::optional<double> Options::*member>
-void set_edge(Options& o, const Given& g) {
-  o.*member = number(g);
-  if (*(o.*member) < 0.0)
-    refuse(g, "a column or row from 1 on, or a part from 0 to 1, is expected");
 }
 struct DitherWord {
   std::string_view word;
@@ -248,10 +221,6 @@ void set_type(Options& o, const Given& g) {
   if (!digits.empty()) set_bits(o, g, digits);
 }
 
-void set_compression(Options& o, const Given& g) {
-  o.compression = static_cast<int>(cut_whole(o, g, 0, 255));
-}
-
 void set_output(Options& o, const Given& g) {
   if (g.sign == 0) {
     o.output_to_file = truth(o, g);
@@ -273,13 +242,6 @@ void set_version(Options& o, const Given& g) {
   o.language_version = static_cast<int>(std::lround(v * 100.0));
 }
 
-/// As in stock, `Include_Header=` says that there is none.
-template <std::string Options::*member>
-void set_text(Options& o, const Given& g) {
-  if (g.value.empty() && g.sign != 0) refuse(g, "a name is expected");
-  o.*member = g.value;
-}
-
 void set_order(Options& o, const Given& g) {
   constexpr std::string_view kThere[] = {"auto",   "rows",  "views",      "columns", "combined",
                                          "strips", "tiles", "serpentine", "hilbert", "adaptive"};
@@ -299,12 +261,8 @@ void set_accelerator(Options& o, const Given& g) {
   constexpr std::string_view kThere[] = {"bvh", "grid", "list"};
   o.accelerator = choice(g, "accelerator", kThere);
 }
-void set_views(Options& o, const Given& g) {
-  o.views.count = static_cast<std::uint32_t>(whole_number(g, 1, kMostViews));
-}
 void set_view_size(Options& o, const Given& g) { o.views.size = size_of(g); }
 void set_quilt(Options& o, const Given& g) { o.views.quilt = quilt_of(g); }
-void set_quilt_aspect(Options& o, const Given& g) { o.views.aspect = positive(g); }
 void set_view_cone(Options& o, const Given& g) {
   o.views.cone = positive(g);
   if (*o.views.cone >= 180.0) refuse(g, "an angle below 180 degrees is expected");
@@ -366,9 +324,6 @@ void set_memory(Options& o, const Given& g) {
   }
   refuse(g, "unknown unit '" + unit + "': there are K, M, G and T");
 }
-void set_band(Options& o, const Given& g) {
-  o.band_height = static_cast<std::uint32_t>(whole_number(g, 1, 2'147'483'647));
-}
 /// A size of less than a pixel is no size, and one that does not fit is not meant.
 std::int64_t size(Options& o, const Given& g) {
   const std::int64_t value =
@@ -386,75 +341,24 @@ void set_height(Options& o, const Given& g) {
   o.height = size(o, g);
   o.height_given = o.height_given || !g.from_defaults;
 }
-void set_quality(Options& o, const Given& g) {
-  o.quality = static_cast<int>(cut_whole(o, g, 0, 11));
-}
-template <std::optional<int> SceneOverrides::*member, int kLeast, int kMost>
-void set_override(Options& o, const Given& g) {
-  o.overrides.*member = static_cast<int>(whole_number(g, kLeast, kMost));
-}
 /// `off`: no samples are left out.
 void set_area_adaptive(Options& o, const Given& g) {
   o.overrides.area_light_adaptive =
       same_word(g.value, "off") ? -1 : static_cast<int>(whole_number(g, 0, 20));
 }
-void set_bailout(Options& o, const Given& g) {
-  o.overrides.adc_bailout = number(g);
-  if (!(*o.overrides.adc_bailout >= 0.0)) refuse(g, "a number from 0 on is expected");
-}
-template <std::optional<int> RadiosityOverrides::*member, int kMost>
-void set_radiosity(Options& o, const Given& g) {
-  o.overrides.radiosity.*member = static_cast<int>(whole_number(g, 1, kMost));
-}
-template <std::optional<int> PhotonOverrides::*member>
-void set_photons(Options& o, const Given& g) {
-  constexpr int kMost = 1'000'000'000;
-  o.overrides.photons.*member = static_cast<int>(whole_number(g, 1, kMost));
-}
-void set_error_bound(Options& o, const Given& g) {
-  o.overrides.radiosity.error_bound = number(g);
-  if (!(*o.overrides.radiosity.error_bound > 0.0)) refuse(g, "a number greater than 0 is expected");
-}
-constexpr int kMostMediaSamples = 1'000'000;
-template <std::optional<int> MediaSettings::*member, int kMost>
-void set_media(Options& o, const Given& g) {
-  o.overrides.media.*member = static_cast<int>(whole_number(g, 1, kMost));
-}
-void set_media_confidence(Options& o, const Given& g) {
-  const double confidence = number(g);
-  o.overrides.media.confidence = confidence;
-  if (!(confidence >= 0.0 && confidence < 1.0)) {
-    refuse(g, "a number from 0 to less than 1 is expected");
-  }
-}
-void set_threads(Options& o, const Given& g) {
-  o.threads = static_cast<int>(cut_whole(o, g, 1, 512));
-}
+constexpr int kMostPhotons = 1'000'000'000, kMostMediaSamples = 1'000'000;
 constexpr double kAnyFloat = std::numeric_limits<float>::max();
 void set_clock(Options& o, const Given& g) {
   o.clock = cut_number(o, g, -kAnyFloat, kAnyFloat);
   o.clock_given = true;
 }
 constexpr int kMostFrames = 2'000'000'000;
-template <std::optional<int> AnimationOptions::*member>
-void set_frame(Options& o, const Given& g) {
-  o.animation.*member = static_cast<int>(cut_whole(o, g, 0, kMostFrames));
-}
-template <std::optional<double> AnimationOptions::*member>
-void set_clock_of(Options& o, const Given& g) {
-  o.animation.*member = cut_number(o, g, -kAnyFloat, kAnyFloat);
-}
-template <std::optional<double> AnimationOptions::*member>
-void set_subset(Options& o, const Given& g) {
-  o.animation.*member = cut_number(o, g, 0.0, kMostFrames);
-}
-void set_frame_step(Options& o, const Given& g) {
-  o.animation.step = static_cast<int>(cut_whole(o, g, 1, kMostFrames));
-}
-void set_cyclic(Options& o, const Given& g) { o.animation.cyclic = truth(o, g); }
-void set_level(Options& o, const Given& g) {
-  o.warning_level = static_cast<int>(cut_whole(o, g, 0, 10));
-}
+template <auto member>
+constexpr OptionAccess kFrame = kCut<member, 0, kMostFrames>;
+template <auto member>
+constexpr OptionAccess kClock = kCut<member, -kAnyFloat, kAnyFloat>;
+template <auto member>
+constexpr OptionAccess kSubset = kCut<member, 0.0, double{kMostFrames}>;
 void set_file_bits(Options& o, const Given& g) { set_bits(o, g, g.value); }
 void set_display(Options&, const Given& g) {
   if (g.sign != 0 && g.value.size() > 2) refuse(g, "unknown switch");
@@ -473,67 +377,175 @@ void set_radiosity_switch(Options& o, const Given& g) {
     o.radiosity_file = g.shown.substr(3);
   }
 }
-void set_radiosity_samples(Options& o, const Given& g) {
-  o.radiosity_samples =
-      static_cast<std::uint64_t>(whole_number(g, 1, std::numeric_limits<std::int32_t>::max()));
+// ---- lines of an INI file ------------------------------------------------------------------------
+
+bool is_number(std::string_view text) {
+  if (!text.empty() && text.front() == '+') text.remove_prefix(1);
+  double value = 0.0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  return !text.empty() && error == std::errc() && end == text.data() + text.size();
 }
+std::string text_of(double x) { return IniLines::text_of(x); }
+std::string text_of(const PixelSize& s) {
+  return std::to_string(s.width) + "x" + std::to_string(s.height);
+}
+
+void write_libraries(const Options& o, std::string_view name, IniLines& out) {
+  for (const std::string& folder : o.library_paths) out.add(name, folder);
+}
+void write_declares(const Options& o, std::string_view name, IniLines& out) {
+  for (const auto& [identifier, value] : o.declares) {
+    out.line(name, identifier + "=" + (is_number(value) ? value : '"' + value + '"'));
+  }
+}
+void write_version(const Options& o, std::string_view name, IniLines& out) {
+  if (o.language_version != 0) out.add(name, o.language_version / 100.0);
+}
+void write_clock(const Options& o, std::string_view name, IniLines& out) {
+  if (o.clock_given) out.add(name, o.clock);
+}
+/// What follows from a lens sheet's size does so again.
+void write_width(const Options& o, std::string_view name, IniLines& out) {
+  if (!o.sheet_width || o.width_given) out.add(name, o.width);
+}
+void write_height(const Options& o, std::string_view name, IniLines& out) {
+  if (!o.sheet_height || o.height_given) out.add(name, o.height);
+}
+void write_type(const Options& o, std::string_view name, IniLines& out) {
+  out.line(name, std::ranges::find(kTypes, o.type, &TypeWord::type)->word);
+}
+void write_dither_type(const Options& o, std::string_view name, IniLines& out) {
+  out.line(name, std::ranges::find(kMethods, o.dither_type, &DitherWord::method)->word);
+}
+template <bool Options::*srgb, double Options::*power>
+void write_gamma(const Options& o, std::string_view name, IniLines& out) {
+  out.line(name, o.*srgb ? "sRGB" : text_of(o.*power));
+}
+template <std::string Options::*word>
+void write_word(const Options& o, std::string_view name, IniLines& out) {
+  out.line(name, o.*word);
+}
+void write_area_adaptive(const Options& o, std::string_view name, IniLines& out) {
+  if (o.overrides.area_light_adaptive == -1)
+    out.line(name, "off");
+  else
+    out.add(name, o.overrides.area_light_adaptive);
+}
+void write_view_size(const Options& o, std::string_view name, IniLines& out) {
+  if (o.views.size) out.line(name, text_of(*o.views.size));
+}
+void write_quilt(const Options& o, std::string_view name, IniLines& out) {
+  if (o.views.quilt)
+    out.line(name, text_of(PixelSize{o.views.quilt->columns, o.views.quilt->rows}));
+}
+void write_view_clock(const Options& o, std::string_view name, IniLines& out) {
+  if (o.views.clocks)
+    out.line(name, text_of(o.views.clocks->first) + ".." + text_of(o.views.clocks->second));
+}
+template <CommandKind kind>
+void write_command(const Options& o, std::string_view name, IniLines& out) {
+  const ShellCommand& command = o.commands[static_cast<std::size_t>(kind)];
+  if (!command.text.empty()) out.line(name, command.text);
+}
+template <CommandKind kind>
+void write_return(const Options& o, std::string_view name, IniLines& out) {
+  const ShellCommand& command = o.commands[static_cast<std::size_t>(kind)];
+  if (!command.text.empty())
+    out.line(name, std::string(command.on_success ? "-" : "") + command.action);
+}
+void write_scene_writes(const Options& o, std::string_view name, IniLines& out) {
+  out.line(name, o.writes_to_disk ? "disk" : "memory");
+}
+
+template <bool Options::*console, std::string Options::*file>
+constexpr OptionAccess kConsole{set_console<console, file>, write_field<console>};
+template <std::string Options::*file, Word usual>
+constexpr OptionAccess kStreamFile{set_stream_file<file, usual>, write_field<file>};
+template <CommandKind kind>
+constexpr OptionAccess kCommand{set_command<kind>, write_command<kind>};
+template <CommandKind kind>
+constexpr OptionAccess kReturn{set_return<kind>, write_return<kind>};
+
+constexpr bool is_positive(double x) { return x > 0.0; }
+constexpr bool is_not_less_than_one(double x) { return x >= 1.0; }
+constexpr bool is_angle(double x) { return x > 0.0 && x < 180.0; }
+constexpr bool is_confidence(double x) { return x >= 0.0 && x < 1.0; }
+
+using enum OptionUse;
 
 constexpr OptionRow kTable[] = {
     // Scene.
-    {"Input_File_Name", "I", set_text<&Options::input>},
-    {"Include_Header", "HI", set_text<&Options::include_header>},
+    {"Input_File_Name", "I", kText<&Options::input>},
+    {"Include_Header", "HI", kText<&Options::include_header>, kLight},
     {"Include_Ini", "", ignore},  // whoever reads names reads it at once
-    {"Library_Path", "L", add_library},
-    {"Declare", "", add_declare},
-    {"Version", "MV", set_version},
-    {"Clock", "K", set_clock},
-    {"Initial_Frame", "KFI", set_frame<&AnimationOptions::initial_frame>},
-    {"Final_Frame", "KFF", set_frame<&AnimationOptions::final_frame>},
-    {"Initial_Clock", "KI", set_clock_of<&AnimationOptions::initial_clock>},
-    {"Final_Clock", "KF", set_clock_of<&AnimationOptions::final_clock>},
-    {"Subset_Start_Frame", "SF", set_subset<&AnimationOptions::subset_start>},
-    {"Subset_End_Frame", "EF", set_subset<&AnimationOptions::subset_end>},
-    {"Frame_Step", "STP", set_frame_step},
-    {"Cyclic_Animation", "KC", set_cyclic},
+    {"Library_Path", "L", {add_library, write_libraries}},
+    {"Declare", "", {add_declare, write_declares}, kLight},
+    {"Version", "MV", {set_version, write_version}, kLight},
+    {"Clock", "K", {set_clock, write_clock}},
+    {"Initial_Frame", "KFI", kFrame<&AnimationOptions::initial_frame>},
+    {"Final_Frame", "KFF", kFrame<&AnimationOptions::final_frame>},
+    {"Initial_Clock", "KI", kClock<&AnimationOptions::initial_clock>},
+    {"Final_Clock", "KF", kClock<&AnimationOptions::final_clock>},
+    {"Subset_Start_Frame", "SF", kSubset<&AnimationOptions::subset_start>},
+    {"Subset_End_Frame", "EF", kSubset<&AnimationOptions::subset_end>},
+    {"Frame_Step", "STP", kCut<&AnimationOptions::step, 1, kMostFrames>},
+    {"Cyclic_Animation", "KC", kFlag<&AnimationOptions::cyclic>},
     {"Clockless_Animation", "", only_off<"animation without a clock">},
     {"Real_Time_Raytracing", "", only_off<"real-time raytracing">},
     {"Field_Render", "UF", ignore},
     {"Odd_Field", "UO", ignore},
     // Picture.
-    {"Width", "W", set_width},
-    {"Height", "H", set_height},
-    {"Start_Column", "SC", set_edge<&Options::start_column>},
-    {"Start_Row", "SR", set_edge<&Options::start_row>},
-    {"End_Column", "EC", set_edge<&Options::end_column>},
-    {"End_Row", "ER", set_edge<&Options::end_row>},
-    {"Continue_Trace", "C", set_bool<&Options::continues>},
+    {"Width", "W", {set_width, write_width}, kPicture},
+    {"Height", "H", {set_height, write_height}, kPicture},
+    {"Start_Column", "SC", kEdge<&Options::start_column>, kPicture},
+    {"Start_Row", "SR", kEdge<&Options::start_row>, kPicture},
+    {"End_Column", "EC", kEdge<&Options::end_column>, kPicture},
+    {"End_Row", "ER", kEdge<&Options::end_row>, kPicture},
+    {"Continue_Trace", "C", kFlag<&Options::continues>},
     {"Create_Ini", "GI", set_create_ini},
-    {"Output_to_File", "F", set_output},
-    {"Output_File_Type", "", set_type},
-    {"Output_File_Name", "O", set_text<&Options::output>},
-    {"Output_Alpha", "UA", set_bool<&Options::alpha>},
-    {"Bits_Per_Color", "", set_file_bits},
+    {"Output_to_File", "F", {set_output, write_field<&Options::output_to_file>}},
+    {"Output_File_Type", "", {set_type, write_type}, kFile},
+    {"Output_File_Name", "O", kText<&Options::output>},
+    {"Output_Alpha", "UA", kFlag<&Options::alpha>, kLight},
+    {"Bits_Per_Color", "", {set_file_bits, write_field<&Options::bits>}, kFile},
     {"Bits_Per_Colour", "", set_file_bits},
-    {"Grayscale_Output", "", set_bool<&Options::grayscale>},
-    {"Compression", "", set_compression},
-    {"File_Gamma", "", set_gamma<&Options::srgb, &Options::file_gamma>},
-    {"Display_Gamma", "", set_gamma<&Options::display_srgb, &Options::display_gamma>},
-    {"Dither", "TH", set_dither},
-    {"Dither_Method", "", set_dither_type},
-    {"Quality", "Q", set_quality},
-    {"Work_Threads", "WT", set_threads},
-    {"Antialias", "A", set_antialias},
-    {"Sampling_Method", "AM", set_sampling},
-    {"Antialias_Threshold", "", set_threshold},
-    {"Antialias_Depth", "R", set_depth},
-    {"Antialias_Gamma", "AG", set_antialias_gamma},
-    {"Jitter", "J", set_jitter},
-    {"Jitter_Amount", "", set_jitter_amount},
-    {"Antialias_Angle", "", set_angles},
-    {"Antialias_Grid", "", set_grid},
-    {"Radiosity_File_Name", "RF", set_radiosity_file},
-    {"Radiosity_From_File", "RFI", set_radiosity_switch<&Options::radiosity_from_file>},
-    {"Radiosity_To_File", "RFO", set_radiosity_switch<&Options::radiosity_to_file>},
+    {"Grayscale_Output", "", kFlag<&Options::grayscale>, kFile},
+    {"Compression", "", kCut<&Options::compression, 0, 255, write_positive<&Options::compression>>,
+     kFile},
+    {"File_Gamma",
+     "",
+     {set_gamma<&Options::srgb, &Options::file_gamma>,
+      write_gamma<&Options::srgb, &Options::file_gamma>},
+     kFile},
+    {"Display_Gamma",
+     "",
+     {set_gamma<&Options::display_srgb, &Options::display_gamma>,
+      write_gamma<&Options::display_srgb, &Options::display_gamma>},
+     kFile},
+    {"Dither", "TH", {set_dither, write_field<&Options::dither>}, kFile},
+    {"Dither_Method", "", {set_dither_type, write_dither_type}, kFile},
+    {"Quality", "Q", kCut<&Options::quality, 0, 11>, kLight},
+    {"Work_Threads", "WT", kCut<&Options::threads, 1, 512, write_positive<&Options::threads>>},
+    {"Antialias", "A", {set_antialias, write_field<&Options::antialias>}, kPicture},
+    {"Sampling_Method", "AM", kCut<&Options::sampling_method, 0, 2>, kPicture},
+    {"Antialias_Threshold", "", kCut<&Options::antialias_threshold, 0.0, 1.0>, kPicture},
+    {"Antialias_Depth", "R", kCut<&Options::antialias_depth, 1, 9>, kPicture},
+    {"Antialias_Gamma",
+     "AG",
+     {set_antialias_gamma, write_field<&Options::antialias_gamma>},
+     kPicture},
+    {"Jitter", "J", {set_jitter, write_field<&Options::jitter>}, kPicture},
+    {"Jitter_Amount", "", kCut<&Options::jitter_amount, 0.0, 1.0>, kPicture},
+    {"Antialias_Angle", "", kWhole<&Options::antialias_angles, 1, 64>, kPicture},
+    {"Antialias_Grid", "", kWhole<&Options::antialias_grid, 0, 64>, kPicture},
+    {"Radiosity_File_Name", "RF", {set_radiosity_file, write_field<&Options::radiosity_file>}},
+    {"Radiosity_From_File",
+     "RFI",
+     {set_radiosity_switch<&Options::radiosity_from_file>,
+      write_field<&Options::radiosity_from_file>}},
+    {"Radiosity_To_File",
+     "RFO",
+     {set_radiosity_switch<&Options::radiosity_to_file>, write_field<&Options::radiosity_to_file>}},
     {"Radiosity_Vain_Pretrace", "RVP", ignore},
     {"High_Reproducibility", "HR", ignore},
     // How stock works inside: no such things here, and no effect on the picture.
@@ -564,111 +576,134 @@ constexpr OptionRow kTable[] = {
     {"Remove_Bounds", "UR", ignore},
     {"Split_Unions", "SU", ignore},
     // Messages.
-    {"Verbose", "V", set_bool<&Options::verbose>},
-    {"Warning_Level", "WL", set_level},
-    {"Stock_Messages", "", set_stock_messages},
-    {"Debug_Console", "GD", set_console<&Options::debug_console, &Options::debug_file>},
-    {"Fatal_Console", "GF", set_console<&Options::fatal_console, &Options::fatal_file>},
-    {"Render_Console", "GR", set_console<&Options::render_console, &Options::render_file>},
-    {"Statistic_Console", "GS", set_console<&Options::statistic_console, &Options::statistic_file>},
-    {"Warning_Console", "GW", set_console<&Options::warning_console, &Options::warning_file>},
-    {"All_Console", "GA", set_all_consoles},
-    {"Debug_File", "", set_stream_file<&Options::debug_file, "debug.out">},
-    {"Fatal_File", "", set_stream_file<&Options::fatal_file, "fatal.out">},
-    {"Render_File", "", set_stream_file<&Options::render_file, "render.out">},
-    {"Statistic_File", "", set_stream_file<&Options::statistic_file, "stats.out">},
-    {"Warning_File", "", set_stream_file<&Options::warning_file, "warning.out">},
-    {"All_File", "", set_stream_file<&Options::all_file, "alltext.out">},
-    {"Append_File", "GP", set_bool<&Options::append_files>},
+    {"Verbose", "V", kFlag<&Options::verbose>},
+    {"Warning_Level", "WL", kCut<&Options::warning_level, 0, 10>},
+    {"Stock_Messages", "", kFlag<&Options::stock_messages>},
+    {"Debug_Console", "GD", kConsole<&Options::debug_console, &Options::debug_file>},
+    {"Fatal_Console", "GF", kConsole<&Options::fatal_console, &Options::fatal_file>},
+    {"Render_Console", "GR", kConsole<&Options::render_console, &Options::render_file>},
+    {"Statistic_Console", "GS", kConsole<&Options::statistic_console, &Options::statistic_file>},
+    {"Warning_Console", "GW", kConsole<&Options::warning_console, &Options::warning_file>},
+    {"All_Console", "GA", {set_all_consoles, write_field<&Options::all_console>}},
+    {"Debug_File", "", kStreamFile<&Options::debug_file, "debug.out">},
+    {"Fatal_File", "", kStreamFile<&Options::fatal_file, "fatal.out">},
+    {"Render_File", "", kStreamFile<&Options::render_file, "render.out">},
+    {"Statistic_File", "", kStreamFile<&Options::statistic_file, "stats.out">},
+    {"Warning_File", "", kStreamFile<&Options::warning_file, "warning.out">},
+    {"All_File", "", kStreamFile<&Options::all_file, "alltext.out">},
+    {"Append_File", "GP", kFlag<&Options::append_files>},
     // Programs to run.
-    {"Pre_Scene_Command", "", set_command<CommandKind::kPreScene>},
-    {"Pre_Frame_Command", "", set_command<CommandKind::kPreFrame>},
-    {"Post_Scene_Command", "", set_command<CommandKind::kPostScene>},
-    {"Post_Frame_Command", "", set_command<CommandKind::kPostFrame>},
-    {"User_Abort_Command", "", set_command<CommandKind::kUserAbort>},
-    {"Fatal_Error_Command", "", set_command<CommandKind::kFatalError>},
-    {"Pre_Scene_Return", "", set_return<CommandKind::kPreScene>},
-    {"Pre_Frame_Return", "", set_return<CommandKind::kPreFrame>},
-    {"Post_Scene_Return", "", set_return<CommandKind::kPostScene>},
-    {"Post_Frame_Return", "", set_return<CommandKind::kPostFrame>},
-    {"User_Abort_Return", "", set_return<CommandKind::kUserAbort>},
-    {"Fatal_Error_Return", "", set_return<CommandKind::kFatalError>},
-    {"Restrict_IO", "", set_restrict_io},
-    {"Strict", "", set_bool<&Options::strict>},
+    {"Pre_Scene_Command", "", kCommand<CommandKind::kPreScene>},
+    {"Pre_Frame_Command", "", kCommand<CommandKind::kPreFrame>},
+    {"Post_Scene_Command", "", kCommand<CommandKind::kPostScene>},
+    {"Post_Frame_Command", "", kCommand<CommandKind::kPostFrame>},
+    {"User_Abort_Command", "", kCommand<CommandKind::kUserAbort>},
+    {"Fatal_Error_Command", "", kCommand<CommandKind::kFatalError>},
+    {"Pre_Scene_Return", "", kReturn<CommandKind::kPreScene>},
+    {"Pre_Frame_Return", "", kReturn<CommandKind::kPreFrame>},
+    {"Post_Scene_Return", "", kReturn<CommandKind::kPostScene>},
+    {"Post_Frame_Return", "", kReturn<CommandKind::kPostFrame>},
+    {"User_Abort_Return", "", kReturn<CommandKind::kUserAbort>},
+    {"Fatal_Error_Return", "", kReturn<CommandKind::kFatalError>},
+    {"Restrict_IO", "", {set_restrict_io, write_field<&Options::restrict_io>}},
+    {"Strict", "", kFlag<&Options::strict>},
     // Lentray's own.
-    {"Lenticular", "", set_bool<&Options::lenticular>},
+    {"Lenticular", "", kFlag<&Options::lenticular>, kPicture},
     {"Lens_Sheet", "", sheet_option::sheet},
-    {"Lens_Pitch", "", sheet_option::pitch},
-    {"Lens_LPI", "", sheet_option::lpi},
-    {"Print_LPI", "", sheet_option::print_lpi},
-    {"Lens_Thickness", "", sheet_option::thickness},
-    {"Lens_Radius", "", sheet_option::radius},
-    {"Lens_IOR", "", sheet_option::ior},
-    {"Lens_Angle", "", sheet_option::angle},
-    {"Lens_Focal_Length", "", sheet_option::focal_length},
-    {"Lens_Pixels", "", sheet_option::pixels},
-    {"Lens_Slant", "", sheet_option::slant},
-    {"Print_DPI", "", sheet_option::print_dpi},
-    {"Sheet_Width", "", sheet_option::width},
-    {"Sheet_Height", "", sheet_option::height},
-    {"View_Distance", "", sheet_option::view_distance},
-    {"Sheet_Distance", "", sheet_option::sheet_distance},
-    {"Depth_Budget", "", sheet_option::depth_budget},
-    {"Lens_Front", "", sheet_option::front},
-    {"Lens_Model", "", sheet_option::model},
-    {"Lens_Tolerance", "", sheet_option::tolerance},
-    {"Lens_Rays", "", sheet_option::rays},
-    {"View", "", sheet_option::view},
-    {"Views", "", set_views},
-    {"View_Size", "", set_view_size},
-    {"View_Clock", "", set_view_clock},
-    {"Quilt", "", set_quilt},
+    {"Lens_Pitch", "", kLengthMm<&camera::LensRequest::pitch>, kPicture},
+    {"Lens_LPI", "", kPositive<&camera::LensRequest::lpi>, kPicture},
+    {"Print_LPI", "", kPositive<&camera::LensRequest::print_lpi>, kPicture},
+    {"Lens_Thickness", "", kLengthMm<&camera::LensRequest::thickness>, kPicture},
+    {"Lens_Radius", "", kLengthMm<&camera::LensRequest::radius>, kPicture},
+    {"Lens_IOR", "",
+     kNumber<&camera::LensRequest::ior, is_not_less_than_one,
+             "a refractive index of at least 1 is expected">,
+     kPicture},
+    {"Lens_Angle", "",
+     kNumber<&camera::LensRequest::angle, is_angle,
+             "an angle greater than 0 and less than 180 degrees is expected">,
+     kPicture},
+    {"Lens_Focal_Length", "", kLengthMm<&camera::LensRequest::focal_length>, kPicture},
+    {"Lens_Pixels", "",
+     kNumber<&camera::LensRequest::pixels, is_not_less_than_one,
+             "at least one pixel a lens is expected">,
+     kPicture},
+    {"Lens_Slant", "", {sheet_option::slant, sheet_option::write_slant}, kPicture},
+    {"Print_DPI", "", {sheet_option::print_dpi, sheet_option::write_print_dpi}, kPicture},
+    {"Sheet_Width", "", kLengthMm<&Options::sheet_width>, kPicture},
+    {"Sheet_Height", "", kLengthMm<&Options::sheet_height>, kPicture},
+    {"View_Distance",
+     "",
+     {sheet_option::view_distance, write_field<&camera::LensRequest::view_distance>},
+     kPicture},
+    {"Sheet_Distance",
+     "",
+     {sheet_option::sheet_distance, write_field<&Options::sheet_distance>},
+     kPicture},
+    {"Depth_Budget", "", {sheet_option::depth_budget, sheet_option::write_depth_budget}, kPicture},
+    {"Lens_Front", "", {sheet_option::front, write_field<&camera::LensRequest::front>}, kPicture},
+    {"Lens_Model", "", {sheet_option::model, sheet_option::write_model}, kPicture},
+    {"Lens_Tolerance", "", kPositive<&camera::LensRequest::tolerance>, kPicture},
+    {"Lens_Rays", "", kWhole<&camera::LensRequest::rays, 1, camera::kMostLensRays>, kPicture},
+    {"View", "", kWhole<&Options::view, 0, 1'000'000>, kPicture},
+    {"Views", "", kWhole<&ViewOptions::count, 1, kMostViews>, kPicture},
+    {"View_Size", "", {set_view_size, write_view_size}, kPicture},
+    {"View_Clock", "", {set_view_clock, write_view_clock}, kPicture},
+    {"Quilt", "", {set_quilt, write_quilt}, kPicture},
     {"Quilt_Tile", "", set_view_size},
-    {"Quilt_Aspect", "", set_quilt_aspect},
-    {"View_Cone", "", set_view_cone},
-    {"View_Cameras", "", set_text<&Options::view_cameras>},
-    {"Shadow_Log", "", set_bool<&Options::shadow_log>},
-    {"Pixel_Order", "", set_order},
-    {"Shadow_Cache", "", set_cache},
-    {"Accelerator", "", set_accelerator},
-    {"Area_Light_Samples", "", set_override<&SceneOverrides::area_light_samples, 2, 1000>},
-    {"Area_Light_Adaptive", "", set_area_adaptive},
-    {"Blur_Samples", "", set_override<&SceneOverrides::blur_samples, 1, 65536>},
-    {"Max_Trace_Level", "", set_override<&SceneOverrides::max_trace_level, 1, 256>},
-    {"Adc_Bailout", "", set_bailout},
-    {"Radiosity_Count", "", set_radiosity<&RadiosityOverrides::count, 1600>},
-    {"Radiosity_Error_Bound", "", set_error_bound},
-    {"Radiosity_Nearest_Count", "", set_radiosity<&RadiosityOverrides::nearest_count, 20>},
-    {"Radiosity_Recursion_Limit", "", set_radiosity<&RadiosityOverrides::recursion_limit, 20>},
-    {"Photon_Count", "", set_photons<&PhotonOverrides::count>},
-    {"Photon_Gather", "", set_photons<&PhotonOverrides::gather>},
-    {"Subsurface_Samples", "", set_override<&SceneOverrides::subsurface_samples, 1, 1'000'000>},
-    {"Media_Method", "", set_media<&MediaSettings::method, 3>},
-    {"Media_Intervals", "", set_media<&MediaSettings::intervals, kMostMediaSamples>},
-    {"Media_Samples", "", set_media<&MediaSettings::samples, kMostMediaSamples>},
-    {"Media_Confidence", "", set_media_confidence},
-    {"Radiosity_Samples", "", set_radiosity_samples},
-    {"Specialised_Paths", "", set_bool<&Options::specialised_paths>},
-    {"Light_Buffer", "UL", set_bool<&Options::light_buffer>},
-    {"Max_Memory", "", set_memory},
-    {"Max_Time", "", set_time},
-    {"Band_Height", "", set_band},
-    {"Statistics_File", "", set_text<&Options::statistics_file>},
-    {"Count_Tests", "", set_bool<&Options::count_tests>},
-    {"Dependencies_File", "", set_text<&Options::dependencies_file>},
-    {"Scene_Writes", "", set_scene_writes},
+    {"Quilt_Aspect", "", kPositive<&ViewOptions::aspect>, kPicture},
+    {"View_Cone", "", {set_view_cone, write_field<&ViewOptions::cone>}, kPicture},
+    {"View_Cameras", "", kText<&Options::view_cameras>},
+    {"Shadow_Log", "", kFlag<&Options::shadow_log>},
+    {"Pixel_Order", "", {set_order, write_word<&Options::pixel_order>}},
+    {"Shadow_Cache", "", {set_cache, write_word<&Options::shadow_cache>}},
+    {"Accelerator", "", {set_accelerator, write_word<&Options::accelerator>}},
+    {"Area_Light_Samples", "", kWhole<&SceneOverrides::area_light_samples, 2, 1000>, kLight},
+    {"Area_Light_Adaptive", "", {set_area_adaptive, write_area_adaptive}, kLight},
+    {"Blur_Samples", "", kWhole<&SceneOverrides::blur_samples, 1, 65536>, kPicture},
+    {"Max_Trace_Level", "", kWhole<&SceneOverrides::max_trace_level, 1, 256>, kLight},
+    {"Adc_Bailout", "",
+     kNumber<&SceneOverrides::adc_bailout, is_not_negative, "a number from 0 on is expected">,
+     kLight},
+    {"Radiosity_Count", "", kWhole<&RadiosityOverrides::count, 1, 1600>, kLight},
+    {"Radiosity_Error_Bound", "",
+     kNumber<&RadiosityOverrides::error_bound, is_positive, "a number greater than 0 is expected">,
+     kLight},
+    {"Radiosity_Nearest_Count", "", kWhole<&RadiosityOverrides::nearest_count, 1, 20>, kLight},
+    {"Radiosity_Recursion_Limit", "", kWhole<&RadiosityOverrides::recursion_limit, 1, 20>, kLight},
+    {"Photon_Count", "", kWhole<&PhotonOverrides::count, 1, kMostPhotons>, kLight},
+    {"Photon_Gather", "", kWhole<&PhotonOverrides::gather, 1, kMostPhotons>, kLight},
+    {"Subsurface_Samples", "", kWhole<&SceneOverrides::subsurface_samples, 1, 1'000'000>, kLight},
+    {"Media_Method", "", kWhole<&MediaSettings::method, 1, 3>, kLight},
+    {"Media_Intervals", "", kWhole<&MediaSettings::intervals, 1, kMostMediaSamples>, kLight},
+    {"Media_Samples", "", kWhole<&MediaSettings::samples, 1, kMostMediaSamples>, kLight},
+    {"Media_Confidence", "",
+     kNumber<&MediaSettings::confidence, is_confidence,
+             "a number from 0 to less than 1 is expected">,
+     kLight},
+    {"Radiosity_Samples", "",
+     kWhole<&Options::radiosity_samples, 1, std::numeric_limits<std::int32_t>::max(),
+            write_positive<&Options::radiosity_samples>>},
+    {"Specialised_Paths", "", kFlag<&Options::specialised_paths>},
+    {"Light_Buffer", "UL", kFlag<&Options::light_buffer>},
+    {"Max_Memory", "", {set_memory, write_positive<&Options::max_memory>}},
+    {"Max_Time", "", {set_time, write_positive<&Options::max_time>}},
+    {"Band_Height", "",
+     kWhole<&Options::band_height, 1, std::numeric_limits<std::int32_t>::max(),
+            write_positive<&Options::band_height>>},
+    {"Statistics_File", "", kText<&Options::statistics_file>},
+    {"Count_Tests", "", kFlag<&Options::count_tests>},
+    {"Dependencies_File", "", kText<&Options::dependencies_file>},
+    {"Scene_Writes", "", {set_scene_writes, write_scene_writes}},
 };
 
 }  // namespace
 
+std::string IniLines::text_of(double value) {
+  char digits[32];
+  return {digits, std::to_chars(digits, digits + sizeof digits, value).ptr};
+}
+
 std::span<const OptionRow> option_table() { return kTable; }
-
-std::string_view word_of(core::FileType type) {
-  return std::ranges::find(kTypes, type, &TypeWord::type)->word;
-}
-
-std::string_view word_of(core::DitherMethod method) {
-  return std::ranges::find(kMethods, method, &DitherWord::method)->word;
-}
 
 }  // namespace lentray::parser

@@ -1,26 +1,74 @@
-// The table behind parser/options/options.h: every option, by name and by switch, and what it does.
+// The table behind parser/options/options.h: every option, by name and by switch, what it does, and the
+// line of an INI file that asks for it again.
 #pragma once
 
+#include <optional>
 #include <span>
+#include <string>
 #include <string_view>
+#include <type_traits>
 
 #include "parser/options/option_values.h"
 #include "parser/options/options.h"
 
 namespace lentray::parser {
 
+/// Lines of an INI file.
+class IniLines {
+ public:
+  void line(std::string_view name, std::string_view value) {
+    m_text.append(name).append("=").append(value).append("\n");
+  }
+  void add(std::string_view name, const std::string& value) {
+    if (!value.empty()) line(name, '"' + value + '"');
+  }
+  template <typename Value>
+  requires std::is_arithmetic_v<Value>
+  void add(std::string_view name, Value value) {
+    if constexpr (std::is_same_v<Value, bool>)
+      line(name, value ? "On" : "Off");
+    else
+      line(name, text_of(static_cast<double>(value)));
+  }
+  template <typename Value>
+  void add(std::string_view name, const std::optional<Value>& value) {
+    if (value) add(name, *value);
+  }
+  std::string take() { return std::move(m_text); }
+
+  /// Shortest text that is read as the same number.
+  static std::string text_of(double value);
+
+ private:
+  std::string m_text;
+};
+
 using ApplyOption = void (*)(RenderOptions&, const GivenOption&);
+using WriteOption = void (*)(const RenderOptions&, std::string_view name, IniLines&);
+
+struct OptionAccess {
+  ApplyOption apply = nullptr;
+  WriteOption write = nullptr;  ///< null: no line
+
+  constexpr OptionAccess(ApplyOption apply_, WriteOption write_ = nullptr)
+      : apply(apply_), write(write_) {}
+};
+
+/// What an option decides.
+enum class OptionUse : std::uint8_t {
+  kRun,      ///< what is done, and how
+  kFile,     ///< how the picture's file holds it
+  kPicture,  ///< the colours of pixels
+  kLight     ///< what light there is, wherever it is seen from
+};
 
 struct OptionRow {
   std::string_view name;         ///< of the INI form; empty: there is only a switch
   std::string_view switch_name;  ///< without + or -; empty: there is only a name
-  ApplyOption apply = nullptr;
+  OptionAccess access;
+  OptionUse use = OptionUse::kRun;
 };
 
 std::span<const OptionRow> option_table();
-
-/// The word that an option of a file's type, or of a way of dithering, is given by.
-std::string_view word_of(core::FileType type);
-std::string_view word_of(core::DitherMethod method);
 
 }  // namespace lentray::parser

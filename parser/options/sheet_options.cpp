@@ -10,25 +10,6 @@ namespace lentray::parser::sheet_option {
 using Options = RenderOptions;
 using Given = GivenOption;
 
-void pitch(Options& o, const Given& g) { o.lens.pitch = positive_length_mm(g); }
-void lpi(Options& o, const Given& g) { o.lens.lpi = positive(g); }
-void print_lpi(Options& o, const Given& g) { o.lens.print_lpi = positive(g); }
-void focal_length(Options& o, const Given& g) { o.lens.focal_length = positive_length_mm(g); }
-void thickness(Options& o, const Given& g) { o.lens.thickness = positive_length_mm(g); }
-void radius(Options& o, const Given& g) { o.lens.radius = positive_length_mm(g); }
-
-void ior(Options& o, const Given& g) {
-  o.lens.ior = number(g);
-  if (*o.lens.ior < 1.0) refuse(g, "a refractive index of at least 1 is expected");
-}
-
-void angle(Options& o, const Given& g) {
-  o.lens.angle = number(g);
-  if (!(*o.lens.angle > 0.0 && *o.lens.angle < 180.0)) {
-    refuse(g, "an angle greater than 0 and less than 180 degrees is expected");
-  }
-}
-
 void sheet(Options& o, const Given& g) {
   if (same_word(g.value, "list")) {
     o.list_lens_sheets = true;
@@ -37,11 +18,6 @@ void sheet(Options& o, const Given& g) {
   if (g.value.empty())
     refuse(g, "the name of a lens sheet is expected; Lens_Sheet=list shows them");
   o.lens_sheet = g.value;
-}
-
-void pixels(Options& o, const Given& g) {
-  o.lens.pixels = number(g);
-  if (*o.lens.pixels < 1.0) refuse(g, "at least one pixel a lens is expected");
 }
 
 void slant(Options& o, const Given& g) {
@@ -59,9 +35,6 @@ void print_dpi(Options& o, const Given& g) {
   down.value = g.value.substr(times + 1);
   o.print_dpi_down = positive(down);
 }
-
-void width(Options& o, const Given& g) { o.sheet_width = positive_length_mm(g); }
-void height(Options& o, const Given& g) { o.sheet_height = positive_length_mm(g); }
 
 void view_distance(Options& o, const Given& g) {
   const bool infinite =
@@ -102,14 +75,27 @@ void model(Options& o, const Given& g) {
   }
 }
 
-void tolerance(Options& o, const Given& g) { o.lens.tolerance = positive(g); }
-
-void rays(Options& o, const Given& g) {
-  o.lens.rays = static_cast<std::uint32_t>(whole_number(g, 1, camera::kMostLensRays));
+void write_slant(const Options& o, std::string_view name, IniLines& out) {
+  if (o.lens.slant) out.line(name, IniLines::text_of(*o.lens.slant) + "/1");
 }
 
-void view(Options& o, const Given& g) {
-  o.view = static_cast<std::uint32_t>(whole_number(g, 0, 1'000'000));
+void write_print_dpi(const Options& o, std::string_view name, IniLines& out) {
+  if (o.print_dpi_down)
+    out.line(name,
+             IniLines::text_of(*o.lens.print_dpi) + "x" + IniLines::text_of(*o.print_dpi_down));
+  else
+    out.add(name, o.lens.print_dpi);
+}
+
+void write_depth_budget(const Options& o, std::string_view name, IniLines& out) {
+  if (!o.lens.depth_budget) return;
+  const camera::DepthBudget& budget = *o.lens.depth_budget;
+  out.line(name, IniLines::text_of(budget.value) + (budget.is_mm ? "mm" : ""));
+}
+
+void write_model(const Options& o, std::string_view name, IniLines& out) {
+  if (o.lens.model) out.line(name, camera::name_of(*o.lens.model));
+  if (o.lens.automatic_model) out.line(name, "auto");
 }
 
 }  // namespace lentray::parser::sheet_option

@@ -2,28 +2,18 @@
 // Errors: OptionError. Any number of threads, each with options of its own.
 #pragma once
 
-#include "parser/options/option_values.h"
-#include "parser/options/options.h"
+#include <string_view>
+
+#include "parser/options/options_table.h"
 
 namespace lentray::parser::sheet_option {
 
-void pitch(RenderOptions& o, const GivenOption& g);
-void lpi(RenderOptions& o, const GivenOption& g);
-void print_lpi(RenderOptions& o, const GivenOption& g);
-void focal_length(RenderOptions& o, const GivenOption& g);
-void thickness(RenderOptions& o, const GivenOption& g);
-void radius(RenderOptions& o, const GivenOption& g);
-void ior(RenderOptions& o, const GivenOption& g);
-void angle(RenderOptions& o, const GivenOption& g);
 /// A name, or `list`.
 void sheet(RenderOptions& o, const GivenOption& g);
-void pixels(RenderOptions& o, const GivenOption& g);
 /// Degrees, or a tangent as a fraction.
 void slant(RenderOptions& o, const GivenOption& g);
 /// Pixels an inch along rows, and perhaps x and those downwards.
 void print_dpi(RenderOptions& o, const GivenOption& g);
-void width(RenderOptions& o, const GivenOption& g);
-void height(RenderOptions& o, const GivenOption& g);
 /// mm or inf.
 void view_distance(RenderOptions& o, const GivenOption& g);
 void sheet_distance(RenderOptions& o, const GivenOption& g);
@@ -31,8 +21,10 @@ void sheet_distance(RenderOptions& o, const GivenOption& g);
 void depth_budget(RenderOptions& o, const GivenOption& g);
 void front(RenderOptions& o, const GivenOption& g);
 void model(RenderOptions& o, const GivenOption& g);
-void tolerance(RenderOptions& o, const GivenOption& g);
-void rays(RenderOptions& o, const GivenOption& g);
-void view(RenderOptions& o, const GivenOption& g);
+
+void write_slant(const RenderOptions& o, std::string_view name, IniLines& out);
+void write_print_dpi(const RenderOptions& o, std::string_view name, IniLines& out);
+void write_depth_budget(const RenderOptions& o, std::string_view name, IniLines& out);
+void write_model(const RenderOptions& o, std::string_view name, IniLines& out);
 
 }  // namespace lentray::parser::sheet_option

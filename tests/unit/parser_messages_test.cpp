@@ -143,9 +143,8 @@ std::vector<Site> sites() {
     const std::string name = entry.path().filename().string();
     const auto is_one = [&](const char* start) { return name.rfind(start, 0) == 0; };
     if (entry.path().extension() != ".cpp" ||
-        !(is_one("directives") || is_one("expressions") || is_one("function_parser") ||
-          is_one("lexer") || is_one("script_files") || is_one("token_reader") ||
-          is_one("interpreter"))) {
+        !(is_one("directives") || is_one("expression") || is_one("function_parser") ||
+          is_one("lexer") || is_one("script") || is_one("token_reader") || is_one("interpreter"))) {
       continue;
     }
     const std::string text = tool::read_text(entry.path());

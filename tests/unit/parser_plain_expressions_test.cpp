@@ -1,4 +1,4 @@
-// RawExpressions reads the commonest expressions without the grammar: the same values, bit for bit, the
+// PlainTokens are the commonest expressions, read without what is done among ScriptTokens: the same values, bit for bit, the
 // same messages, and the same random numbers, whatever stands in the way.
 #include <gtest/gtest.h>
 
@@ -11,15 +11,15 @@
 namespace lentray::test {
 namespace {
 
-Parsed parser_raw_expressions_read(const std::string& text, bool raw) {
+Parsed parser_plain_expressions_read(const std::string& text, bool raw) {
   parser::ParserOptions options;
-  options.raw_expressions = raw;
+  options.plain_expressions = raw;
   return parse_text("#version 3.7;\n" + text, {}, options);
 }
 
-void parser_raw_expressions_expect_same(const std::string& text) {
-  const Parsed raw = parser_raw_expressions_read(text, true),
-               grammar = parser_raw_expressions_read(text, false);
+void parser_plain_expressions_expect_same(const std::string& text) {
+  const Parsed raw = parser_plain_expressions_read(text, true),
+               grammar = parser_plain_expressions_read(text, false);
   EXPECT_EQ(raw.debug, grammar.debug) << text;
   EXPECT_EQ(raw.message, grammar.message) << text;
   EXPECT_EQ(raw.where.line, grammar.where.line) << text;
@@ -101,7 +101,7 @@ const char* const kHead =
     "{9}\n"
     "#macro Twice(X) (2*X) #end\n";
 
-TEST(UnitParserRawExpressions, AgreesWithTheGrammarOnRandomExpressions) {
+TEST(UnitParserPlainExpressions, AgreesWithTheGrammarOnRandomExpressions) {
   Expressions make(20261121);
   int succeeded = 0;
   for (int i = 0; i < 400; ++i) {
@@ -113,14 +113,14 @@ TEST(UnitParserRawExpressions, AgreesWithTheGrammarOnRandomExpressions) {
       text += "#local Q = " + make.vector(3) + "; #debug vstr(3, Q*1, \",\", 0, -1)\n";
       text += "#debug str(rand(S), 0, -1)\n";
     }
-    parser_raw_expressions_expect_same(text);
-    if (parser_raw_expressions_read(text, true).error.empty()) ++succeeded;
+    parser_plain_expressions_expect_same(text);
+    if (parser_plain_expressions_read(text, true).error.empty()) ++succeeded;
     if (HasFailure()) break;
   }
   EXPECT_GT(succeeded, 100);
 }
 
-TEST(UnitParserRawExpressions, GivesUpWithoutATrace) {
+TEST(UnitParserPlainExpressions, GivesUpWithoutATrace) {
   const std::string head(kHead);
   for (const std::string rest :
        {"#debug str(rand(S) + #if (1) rand(S) #end, 0, -1) #debug str(rand(S), 0, -1)",
@@ -149,13 +149,23 @@ TEST(UnitParserRawExpressions, GivesUpWithoutATrace) {
         "#declare X = #ifdef (A) 5 #else 6 #end ; #debug str(X, 0, -1)",
         "#declare deprecated \"old\" D = 4; #declare X = D + 1; #debug str(X, 0, -1)",
         "#debug str((((((((((((1)))))))))))) + 1, 0, -1)",
+        "#declare X = V.x*0 + Twice(2); #debug vstr(3, X, \" \", 0, -1)",
+        "#declare X = (<1, 2, 3> + Twice(2)).y; #debug str(X, 0, -1)",
+        "#declare X = V*Twice(V.x); #debug vstr(3, X, \" \", 0, -1)",
+        "#debug vstr(3, 2 + Twice(1)*V, \" \", 0, -1)",
+        "#debug str(2*Twice(1) = 4 ? Twice(3) : V.y, 0, -1)",
+        "#declare X = (Text = \"x\");",
+        "#if (concat(\"a\", \"b\") = \"ab\" & 1) #debug \"same\" #end",
+        "#if (1 | \"a\" = \"b\" + 1) #end",
+        "#debug str(strlen(\"abc\") + val(\"2\") + asc(\"A\") + strcmp(\"a\", \"b\"), 0, -1)",
+        "#debug str(select(-1, 2, 3, 4) + select(0, 2, 3) + C.gray, 0, -1)",
         "#declare X = 1 + ",
         "#declare X = (1"}) {
-    parser_raw_expressions_expect_same(head + rest);
+    parser_plain_expressions_expect_same(head + rest);
   }
 }
 
-TEST(UnitParserRawExpressions, StringsAgreeWithTheGrammar) {
+TEST(UnitParserPlainExpressions, StringsAgreeWithTheGrammar) {
   const std::string head =
       std::string(kHead) +
       "#declare Text = \"some Text\"; #declare Texts = array[2] {\"one\", \"two\"}\n";
@@ -184,24 +194,24 @@ TEST(UnitParserRawExpressions, StringsAgreeWithTheGrammar) {
         "#declare L = concat(\"a\"",
         "#debug str(1)",
         "#debug str(V, 0, 0)"}) {
-    parser_raw_expressions_expect_same(head + rest);
+    parser_plain_expressions_expect_same(head + rest);
   }
 }
 
 // Read as floats and again as what may be vectors at each level, it would never end.
-TEST(UnitParserRawExpressions, NestedFunctionsDoNotMultiplyTheWork) {
+TEST(UnitParserPlainExpressions, NestedFunctionsDoNotMultiplyTheWork) {
   for (const std::string inner : {"Missing", "V", "<1, 2>", "(A > 1 ? A : B)"}) {
     std::string text = inner;
     for (int i = 0; i < 60; ++i) text = "(sin(" + text + ") + " + inner + ")";
-    parser_raw_expressions_expect_same(std::string(kHead) + "#debug str(" + text + ", 0, -1)");
+    parser_plain_expressions_expect_same(std::string(kHead) + "#debug str(" + text + ", 0, -1)");
   }
 }
 
-TEST(UnitParserRawExpressions, AComponentWhereAVectorIsWanted) {
+TEST(UnitParserPlainExpressions, AComponentWhereAVectorIsWanted) {
   const std::string head(kHead);
   for (const std::string vector : {"V.x", "-V.y", "V.y*2", "2*V.y", "(V.y)", "V.y - 1",
                                    "V.y + <1,1,1>", "W.t", "<V.y, 1, 1>", "Vs[0].y", "+V.z"}) {
-    parser_raw_expressions_expect_same(
+    parser_plain_expressions_expect_same(
         head + "#debug str(vlength(" + vector + "), 0, -1) #declare K = " + vector +
         "; #debug str(vlength(K), 0, -1) #debug vstr(3, vnormalize(" + vector + "), \" \", 0, -1)");
   }
