@@ -146,19 +146,6 @@ std::uint32_t LensSheet::views() const {
   return std::floor(m_lens.pixels) == m_lens.pixels ? static_cast<std::uint32_t>(m_lens.pixels) : 0;
 }
 
-bool LensSheet::view_column(std::uint32_t view, std::uint32_t lens, std::uint32_t& column) const {
-  const std::uint64_t k = std::uint64_t{lens} * views() + view;
-  if (view >= views() || k >= width()) return false;
-  column = static_cast<std::uint32_t>(k);
-  return true;
-}
-
-std::uint32_t LensSheet::view_width(std::uint32_t view) const {
-  const std::uint32_t n = views();
-  if (view >= n || view >= width()) return 0;
-  return (width() - 1 - view) / n + 1;
-}
-
 double LensSheet::widest_pitch() const {
   if (m_lens.model == LensModel::kParaxial || m_lens.ior == 1.0) return LensParameters::kInfinity;
   const double limit = m_lens.focal_length / std::sqrt(m_lens.ior * m_lens.ior - 1.0);

@@ -129,11 +129,6 @@ class LensSheet {
 
   /// Whole N: the number of views; 0 when N is fractional or the sheet slanted.
   std::uint32_t views() const;
-  /// The column of view j behind a lens; false when the lens is cut there. Whole N only.
-  bool view_column(std::uint32_t view, std::uint32_t lens, std::uint32_t& column) const;
-  /// Lenses that have the view.
-  std::uint32_t view_width(std::uint32_t view) const;
-
   std::uint32_t dark_columns() const { return m_dark; }
   /// The widest pitch that leaves no column of this sheet dark, all else equal, in mm.
   /// Infinite when no pitch does (n = 1, or the paraxial model).

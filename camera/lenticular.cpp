@@ -85,6 +85,13 @@ bool Lenticular::sight(const core::PixelPlace& place, core::Ray& out) const {
   return true;
 }
 
+bool Lenticular::sight_of_ray(const core::PixelPlace& place, core::Ray& out) const {
+  if (!ray_at(place, out)) return false;
+  out.direction = out.direction / core::dot(out.direction, m_place.normal);
+  out.origin += out.direction * m_place.front;
+  return true;
+}
+
 core::PixelPlace Lenticular::strip_place(std::uint32_t view, std::uint32_t views,
                                          const core::PixelPlace& place) const {
   core::PixelPlace out = place;
@@ -214,7 +221,8 @@ std::uint32_t view_width(const LensSheet& sheet, std::uint32_t view, std::uint32
 }
 
 SheetView::SheetView(const Lenticular& lenticular, std::uint32_t view)
-    : m_lenticular(lenticular), m_view(view), m_views(usual_views(lenticular.sheet())),
+    : CameraOfOthers(lenticular), m_lenticular(lenticular), m_view(view),
+      m_views(usual_views(lenticular.sheet())),
       m_width(view_width(lenticular.sheet(), view, m_views)) {}
 
 bool SheetView::ray(double column, double row, core::Ray& ray) const {
@@ -231,23 +239,6 @@ bool SheetView::ray(double column, double row, core::Ray& ray) const {
   const std::int64_t k = view_column(m_lenticular.sheet().lens().pixels, m_view, m_views,
                                      static_cast<std::int64_t>(lens));
   return m_lenticular.ray(static_cast<double>(k) + 0.5, row, ray);
-}
-
-core::PixelPlace SheetView::on_sheet(const core::PixelPlace& place) const {
-  return m_lenticular.strip_place(m_view, m_views, place);
-}
-
-bool SheetView::ray_at(const core::PixelPlace& place, core::Ray& out) const {
-  return m_lenticular.ray_at(on_sheet(place), out);
-}
-
-bool SheetView::one_ray_at(const core::PixelPlace& place, std::uint32_t index,
-                           core::Ray& out) const {
-  return m_lenticular.one_ray_at(on_sheet(place), index, out);
-}
-
-bool SheetView::sight(const core::PixelPlace& place, core::Ray& out) const {
-  return m_lenticular.sight(on_sheet(place), out);
 }
 
 Properties SheetView::describe() const {

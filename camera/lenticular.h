@@ -11,7 +11,7 @@
 #include <optional>
 #include <vector>
 
-#include "camera/camera.h"
+#include "camera/camera_of_others.h"
 #include "camera/lens_sheet.h"
 #include "core/base/vec3.h"
 
@@ -82,6 +82,8 @@ class Lenticular : public Camera {
   virtual std::vector<std::string> model_report() const;
 
  protected:
+  /// sight() by ray_at(), which starts lens_front before the sheet.
+  bool sight_of_ray(const core::PixelPlace& place, core::Ray& out) const;
   /// What a user should know of dark pixels, of which there are some.
   virtual std::string dark_warning() const;
   /// 1/V in scene units; 0 when V is infinite.
@@ -120,24 +122,21 @@ std::uint32_t view_width(const LensSheet& sheet, std::uint32_t view, std::uint32
 
 /// One view of a sheet, of usual_views(): pixel i is what lens i shows in view j, at its own column
 /// (view_column()).
-class SheetView final : public Camera {
+class SheetView final : public CameraOfOthers {
  public:
   /// The sheet must outlive the view and must have it: j < usual_views(), and view_width() above 0.
   SheetView(const Lenticular& lenticular, std::uint32_t view);
+
   bool ray(double column, double row, core::Ray& ray) const override;
-  bool ray_at(const core::PixelPlace& place, core::Ray& out) const override;
-  bool sight(const core::PixelPlace& place, core::Ray& out) const override;
-  std::uint32_t rays_a_place() const override { return m_lenticular.rays_a_place(); }
-  bool one_ray_at(const core::PixelPlace& place, std::uint32_t index,
-                  core::Ray& out) const override;
-  bool missing_rays_are_black() const override { return m_lenticular.missing_rays_are_black(); }
   std::string_view name() const override { return "lenticular"; }
   std::uint32_t width() const override { return m_width; }
   std::uint32_t height() const override { return m_lenticular.height(); }
   Properties describe() const override;
 
  private:
-  core::PixelPlace on_sheet(const core::PixelPlace& place) const;
+  Found find(const core::PixelPlace& place) const override {
+    return {m_lenticular, m_lenticular.strip_place(m_view, m_views, place)};
+  }
 
   const Lenticular& m_lenticular;
   std::uint32_t m_view, m_views, m_width;

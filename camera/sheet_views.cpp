@@ -5,45 +5,18 @@
 #include <numbers>
 
 namespace lentray::camera {
-namespace {
-
-/// A place in pixels as a pixel and what lies beside its centre.
-core::PixelPlace place_of(double column, double row) {
-  core::PixelPlace out;
-  out.column = static_cast<std::int32_t>(std::floor(column));
-  out.row = static_cast<std::int32_t>(std::floor(row));
-  out.across = column - out.column - 0.5;
-  out.down = row - out.row - 0.5;
-  return out;
-}
-
-}  // namespace
-
 SizedView::SizedView(const Lenticular& sheet, std::uint32_t view, std::uint32_t views,
                      std::uint32_t width, std::uint32_t height)
-    : m_sheet(sheet), m_view(view), m_views(views), m_width(width), m_height(height),
-      m_offset((view + 0.5) / views - 0.5), m_lenses_a_column(sheet.sheet().lenses() / width),
+    : CameraOfOthers(sheet), m_sheet(sheet), m_view(view), m_views(views), m_width(width),
+      m_height(height), m_offset((view + 0.5) / views - 0.5),
+      m_lenses_a_column(sheet.sheet().lenses() / width),
       m_rows_a_row(static_cast<double>(sheet.height()) / height) {}
 
-core::PixelPlace SizedView::on_sheet(const core::PixelPlace& place) const {
+SizedView::Found SizedView::find(const core::PixelPlace& place) const {
   core::PixelPlace out = m_sheet.place_at((place.column + 0.5 + place.across) * m_lenses_a_column,
                                           (place.row + 0.5 + place.down) * m_rows_a_row, m_offset);
   out.turn += place.turn * m_sheet.sheet().lens().pixels / m_views;
-  return out;
-}
-
-bool SizedView::ray(double column, double row, core::Ray& ray) const {
-  return ray_at(place_of(column, row), ray);
-}
-bool SizedView::ray_at(const core::PixelPlace& place, core::Ray& out) const {
-  return m_sheet.ray_at(on_sheet(place), out);
-}
-bool SizedView::one_ray_at(const core::PixelPlace& place, std::uint32_t index,
-                           core::Ray& out) const {
-  return m_sheet.one_ray_at(on_sheet(place), index, out);
-}
-bool SizedView::sight(const core::PixelPlace& place, core::Ray& out) const {
-  return m_sheet.sight(on_sheet(place), out);
+  return {m_sheet, out};
 }
 
 Properties SizedView::describe() const {
@@ -66,7 +39,7 @@ std::shared_ptr<const Camera> make_view(const Lenticular& sheet, std::uint32_t v
 
 Quilt::Quilt(std::vector<std::shared_ptr<const Camera>> tiles, std::uint32_t columns,
              Properties about)
-    : m_tiles(std::move(tiles)), m_columns(columns),
+    : CameraOfOthers(*tiles[0]), m_tiles(std::move(tiles)), m_columns(columns),
       m_rows(static_cast<std::uint32_t>(m_tiles.size()) / columns),
       m_tile_width(m_tiles[0]->width()), m_tile_height(m_tiles[0]->height()),
       m_about(std::move(about)) {}
@@ -84,23 +57,7 @@ Quilt::Found Quilt::find(const core::PixelPlace& place) const {
   out.column = place.column < 0 ? -1 : place.column - across * width;
   out.row = place.row - down * height;
   const auto up = m_rows - 1 - static_cast<std::uint32_t>(down);
-  return {m_tiles[up * m_columns + static_cast<std::uint32_t>(across)].get(), out};
-}
-
-bool Quilt::ray(double column, double row, core::Ray& ray) const {
-  return ray_at(place_of(column, row), ray);
-}
-bool Quilt::ray_at(const core::PixelPlace& place, core::Ray& out) const {
-  const Found found = find(place);
-  return found.tile->ray_at(found.place, out);
-}
-bool Quilt::one_ray_at(const core::PixelPlace& place, std::uint32_t index, core::Ray& out) const {
-  const Found found = find(place);
-  return found.tile->one_ray_at(found.place, index, out);
-}
-bool Quilt::sight(const core::PixelPlace& place, core::Ray& out) const {
-  const Found found = find(place);
-  return found.tile->sight(found.place, out);
+  return {*m_tiles[up * m_columns + static_cast<std::uint32_t>(across)], out};
 }
 
 core::PixelLattice Quilt::lattice(std::uint32_t width) const {

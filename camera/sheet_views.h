@@ -19,18 +19,11 @@
 
 namespace lentray::camera {
 
-class SizedView final : public Camera {
+class SizedView final : public CameraOfOthers {
  public:
   /// The sheet must outlive it. view < views; width, height > 0.
   SizedView(const Lenticular& sheet, std::uint32_t view, std::uint32_t views, std::uint32_t width,
             std::uint32_t height);
-  bool ray(double column, double row, core::Ray& ray) const override;
-  bool ray_at(const core::PixelPlace& place, core::Ray& out) const override;
-  bool sight(const core::PixelPlace& place, core::Ray& out) const override;
-  std::uint32_t rays_a_place() const override { return m_sheet.rays_a_place(); }
-  bool one_ray_at(const core::PixelPlace& place, std::uint32_t index,
-                  core::Ray& out) const override;
-  bool missing_rays_are_black() const override { return m_sheet.missing_rays_are_black(); }
   std::string_view name() const override { return "lenticular"; }
   std::uint32_t width() const override { return m_width; }
   std::uint32_t height() const override { return m_height; }
@@ -41,7 +34,7 @@ class SizedView final : public Camera {
   double print_offset() const { return m_offset * m_sheet.sheet().lens().print_pitch(); }
 
  private:
-  core::PixelPlace on_sheet(const core::PixelPlace& place) const;
+  Found find(const core::PixelPlace& place) const override;
 
   const Lenticular& m_sheet;
   std::uint32_t m_view, m_views, m_width, m_height;
@@ -55,18 +48,11 @@ std::shared_ptr<const Camera> make_view(const Lenticular& sheet, std::uint32_t v
                                         std::uint32_t views, std::uint32_t width,
                                         std::uint32_t height);
 
-class Quilt final : public Camera {
+class Quilt final : public CameraOfOthers {
  public:
   /// columns * (rows) cameras of one size, at least one; `about` goes before the quilt's own
   /// properties.
   Quilt(std::vector<std::shared_ptr<const Camera>> tiles, std::uint32_t columns, Properties about);
-  bool ray(double column, double row, core::Ray& ray) const override;
-  bool ray_at(const core::PixelPlace& place, core::Ray& out) const override;
-  bool sight(const core::PixelPlace& place, core::Ray& out) const override;
-  std::uint32_t rays_a_place() const override { return m_tiles[0]->rays_a_place(); }
-  bool one_ray_at(const core::PixelPlace& place, std::uint32_t index,
-                  core::Ray& out) const override;
-  bool missing_rays_are_black() const override { return m_tiles[0]->missing_rays_are_black(); }
   /// Pixels of a tile join within its row of tiles only: beyond its left edge lies what lies there
   /// in the tile's own picture. Rows join through: a tile's upper row is compared with the tile
   /// above.
@@ -77,11 +63,7 @@ class Quilt final : public Camera {
   Properties describe() const override;
 
  private:
-  struct Found {
-    const Camera* tile;
-    core::PixelPlace place;
-  };
-  Found find(const core::PixelPlace& place) const;
+  Found find(const core::PixelPlace& place) const override;
 
   std::vector<std::shared_ptr<const Camera>> m_tiles;
   std::uint32_t m_columns, m_rows, m_tile_width, m_tile_height;

@@ -84,14 +84,6 @@ bool SlantedLenticular::one_ray_at(const core::PixelPlace& place, std::uint32_t 
   return true;
 }
 
-bool SlantedLenticular::sight(const core::PixelPlace& place, core::Ray& out) const {
-  if (!ray_at(place, out)) return false;
-  const SheetPlacement& p = placement();
-  out.direction = out.direction / core::dot(out.direction, p.normal);
-  out.origin += out.direction * p.front;
-  return true;
-}
-
 core::PixelLattice SlantedLenticular::lattice(std::uint32_t columns) const {
   const auto step = static_cast<std::uint32_t>(std::floor(sheet().lens().pixels + 0.5));
   core::PixelLattice out;
@@ -135,13 +127,7 @@ bool SlantedLenticular::is_dark(std::uint32_t column, std::uint32_t row) const {
   const SlantedPlace at = on_print(place);
   SheetExit exit;
   if (!m_lens) return !exit_of(at, row + 0.5, exit);
-  const SlopeAlong along = m_rows.along(m_rows.rise(row + 0.5));
-  const std::uint32_t rays = m_lens->rays();
-  for (std::uint32_t j = 0; j < rays; ++j) {
-    const std::uint32_t from_middle = (rays / 2 + j) % rays;
-    if (shows(m_lens->leave(at.lens_offset, from_middle, along, exit))) return false;
-  }
-  return true;
+  return m_lens->is_dark(at.lens_offset, m_rows.along(m_rows.rise(row + 0.5)));
 }
 
 bool SlantedLenticular::may_be_dark() const {
@@ -182,21 +168,14 @@ RayShares SlantedLenticular::count_shares() const {
   if (!m_lens) return {};
   const std::uint32_t row = height() / 2;
   const SlopeAlong along = m_rows.along(m_rows.rise(row + 0.5));
-  std::uint64_t spilled = 0, dark = 0;
+  RayShares shares;
   for (std::uint32_t k = 0; k < width(); ++k) {
     core::PixelPlace place;
     place.column = static_cast<std::int32_t>(k);
     place.row = static_cast<std::int32_t>(row);
-    const double offset = on_print(place).lens_offset;
-    for (std::uint32_t j = 0; j < m_lens->rays(); ++j) {
-      SheetExit exit;
-      const LensRayEnd end = m_lens->leave(offset, j, along, exit);
-      if (end == LensRayEnd::kSpills || end == LensRayEnd::kReturns) ++spilled;
-      if (!shows(end)) ++dark;
-    }
+    shares.add(*m_lens, on_print(place).lens_offset, along);
   }
-  const double all = static_cast<double>(width()) * m_lens->rays();
-  return {static_cast<double>(spilled) / all, static_cast<double>(dark) / all};
+  return shares.of(static_cast<double>(width()) * m_lens->rays());
 }
 
 std::string SlantedLenticular::dark_warning() const {
@@ -211,18 +190,14 @@ std::vector<std::string> SlantedLenticular::model_report() const {
                 " degrees, a tangent of " + brief(sheet().lens().slant) +
                 ": their tops lean to the " + (sheet().lens().slant > 0.0 ? "right" : "left") +
                 "; the pitch is measured across them, pixels a lens along a row");
-  if (m_lens) out.push_back(shares_line(m_lens->rays(), m_shares));
+  if (m_lens) out.push_back(m_shares.line(m_lens->rays()));
   return out;
 }
 
 Properties SlantedLenticular::describe() const {
   Properties out = Lenticular::describe();
   out.emplace_back("lens.slant_deg", slant_degrees(sheet().lens()));
-  if (m_lens) {
-    out.emplace_back("lens.rays", static_cast<double>(m_lens->rays()));
-    out.emplace_back("lens.spilled_rays", m_shares.spilled);
-    out.emplace_back("lens.dark_rays", m_shares.dark);
-  }
+  if (m_lens) m_shares.describe(m_lens->rays(), out);
   return out;
 }
 

@@ -22,7 +22,9 @@ class SlantedLenticular final : public Lenticular {
                     std::uint32_t width, std::uint32_t height);
   bool ray(double column, double row, core::Ray& ray) const override;
   bool ray_at(const core::PixelPlace& place, core::Ray& out) const override;
-  bool sight(const core::PixelPlace& place, core::Ray& out) const override;
+  bool sight(const core::PixelPlace& place, core::Ray& out) const override {
+    return sight_of_ray(place, out);
+  }
   std::uint32_t rays_a_place() const override { return m_lens ? m_lens->rays() : 1; }
   bool one_ray_at(const core::PixelPlace& place, std::uint32_t index,
                   core::Ray& out) const override;

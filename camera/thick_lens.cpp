@@ -169,4 +169,13 @@ LensRayEnd ThickLens::spill(const Point& point, double sine, const SlopeAlong& a
   return dark;
 }
 
+bool ThickLens::is_dark(double offset, const SlopeAlong& along) const {
+  for (std::uint32_t j = 0; j < rays(); ++j) {
+    SheetExit exit;
+    const std::uint32_t from_middle = (rays() / 2 + j) % rays();
+    if (shows(leave(offset, from_middle, along, exit))) return false;
+  }
+  return true;
+}
+
 }  // namespace lentray::camera

@@ -63,6 +63,8 @@ class ThickLens {
   LensRayEnd leave_vertex(double offset, double rise, SheetExit& out) const {
     return through(m_vertex, offset, {rise, 0.0}, out);
   }
+  /// None of the rays of a lens offset shows anything.
+  bool is_dark(double offset, const SlopeAlong& along) const;
 
  private:
   /// A point of the surface. In the cross-section the normal into the glass is (-across, inwards),

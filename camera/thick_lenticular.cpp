@@ -63,32 +63,19 @@ bool ThickLenticular::one_ray_at(const core::PixelPlace& place, std::uint32_t in
   return true;
 }
 
-bool ThickLenticular::sight(const core::PixelPlace& place, core::Ray& out) const {
-  if (!ray_at(place, out)) return false;
-  const SheetPlacement& p = placement();
-  out.direction = out.direction / core::dot(out.direction, p.normal);
-  out.origin += out.direction * p.front;
-  return true;
-}
-
 RayShares ThickLenticular::count_shares() const {
   constexpr std::uint64_t kMostRays = std::uint64_t{1} << 20;
   const std::uint64_t rays = std::uint64_t{sheet().width()} * m_lens.rays();
   const std::uint64_t step = rays / kMostRays + 1;  // of columns: whole sheets but for huge ones
   const double rise_there = rise(0.5 * height());
-  std::uint64_t all = 0, spilled = 0, dark = 0;
+  RayShares shares;
+  std::uint64_t columns = 0;
   for (std::uint64_t k = 0; k < sheet().width(); k += step) {
-    const double offset = sheet().column(static_cast<std::uint32_t>(k)).lens_offset;
-    for (std::uint32_t j = 0; j < m_lens.rays(); ++j) {
-      SheetExit exit;
-      const LensRayEnd end = m_lens.leave(offset, j, rise_there, exit);
-      ++all;
-      if (end == LensRayEnd::kSpills || end == LensRayEnd::kReturns) ++spilled;
-      if (!shows(end)) ++dark;
-    }
+    shares.add(m_lens, sheet().column(static_cast<std::uint32_t>(k)).lens_offset,
+               {rise_there, 0.0});
+    ++columns;
   }
-  const auto count = static_cast<double>(all);
-  return {static_cast<double>(spilled) / count, static_cast<double>(dark) / count};
+  return shares.of(static_cast<double>(columns) * m_lens.rays());
 }
 
 bool ThickLenticular::is_never_dark(const LensColumn& column) const {
@@ -107,25 +94,17 @@ bool ThickLenticular::is_never_dark(const LensColumn& column) const {
   return false;
 }
 
-bool ThickLenticular::is_dark(const LensColumn& column, double rise_there) const {
-  for (std::uint32_t j = 0; j < m_lens.rays(); ++j) {
-    SheetExit exit;
-    if (shows(m_lens.leave(column.lens_offset, j, rise_there, exit))) return false;
-  }
-  return true;
-}
-
 std::uint64_t ThickLenticular::count_dark_pixels() const {
   std::uint64_t dark = 0;
   for (std::uint32_t k = 0; k < sheet().width(); ++k) {
     const LensColumn& column = sheet().column(k);
     if (is_never_dark(column)) continue;
     if (inverse_distance() == 0.0) {
-      if (is_dark(column, rise(0.5))) dark += height();
+      if (m_lens.is_dark(column.lens_offset, {rise(0.5), 0.0})) dark += height();
       continue;
     }
     for (std::uint32_t row = 0; row < height(); ++row) {
-      if (is_dark(column, rise(row + 0.5))) ++dark;
+      if (m_lens.is_dark(column.lens_offset, {rise(row + 0.5), 0.0})) ++dark;
     }
   }
   return dark;
@@ -138,24 +117,37 @@ std::string ThickLenticular::dark_warning() const {
          "inside it, or come back to the print";
 }
 
-std::string shares_line(std::uint32_t rays, const RayShares& shares) {
+void RayShares::add(const ThickLens& lens, double offset, const SlopeAlong& along) {
+  for (std::uint32_t j = 0; j < lens.rays(); ++j) {
+    SheetExit exit;
+    const LensRayEnd end = lens.leave(offset, j, along, exit);
+    if (end == LensRayEnd::kSpills || end == LensRayEnd::kReturns) ++spilled;
+    if (!shows(end)) ++dark;
+  }
+}
+
+std::string RayShares::line(std::uint32_t rays) const {
   const auto percent = [](double share) { return format(100.0 * share) + " %"; };
   return "Each pixel is the mean of " + std::to_string(rays) + " rays; of those, " +
-         percent(shares.spilled) + " spill into the next lens, and " + percent(shares.dark) +
+         percent(spilled) + " spill into the next lens, and " + percent(dark) +
          " show nothing (middle row)";
+}
+
+void RayShares::describe(std::uint32_t rays, Properties& out) const {
+  out.emplace_back("lens.rays", static_cast<double>(rays));
+  out.emplace_back("lens.spilled_rays", spilled);
+  out.emplace_back("lens.dark_rays", dark);
 }
 
 std::vector<std::string> ThickLenticular::model_report() const {
   std::vector<std::string> out = Lenticular::model_report();
-  out.push_back(shares_line(m_lens.rays(), m_shares));
+  out.push_back(m_shares.line(m_lens.rays()));
   return out;
 }
 
 Properties ThickLenticular::describe() const {
   Properties out = Lenticular::describe();
-  out.emplace_back("lens.rays", static_cast<double>(m_lens.rays()));
-  out.emplace_back("lens.spilled_rays", m_shares.spilled);
-  out.emplace_back("lens.dark_rays", m_shares.dark);
+  m_shares.describe(m_lens.rays(), out);
   return out;
 }
 

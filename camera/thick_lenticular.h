@@ -18,18 +18,24 @@ namespace lentray::camera {
 struct RayShares {
   double spilled = 0.0;  ///< run into the bulge of the next lens
   double dark = 0.0;     ///< show nothing
+
+  /// All rays of a lens offset.
+  void add(const ThickLens& lens, double offset, const SlopeAlong& along);
+  /// The same as parts of so many rays.
+  RayShares of(double rays) const { return {spilled / rays, dark / rays}; }
+  /// The report's line of them.
+  std::string line(std::uint32_t rays) const;
+  void describe(std::uint32_t rays, Properties& out) const;
 };
-
-/// The report's line of them.
-std::string shares_line(std::uint32_t rays, const RayShares& shares);
-
 class ThickLenticular final : public Lenticular {
  public:
   ThickLenticular(const LensParameters& lens, const SheetPlacement& placement, std::uint32_t width,
                   std::uint32_t height);
   bool ray(double column, double row, core::Ray& ray) const override;
   bool ray_at(const core::PixelPlace& place, core::Ray& out) const override;
-  bool sight(const core::PixelPlace& place, core::Ray& out) const override;
+  bool sight(const core::PixelPlace& place, core::Ray& out) const override {
+    return sight_of_ray(place, out);
+  }
   std::uint32_t rays_a_place() const override { return m_lens.rays(); }
   bool one_ray_at(const core::PixelPlace& place, std::uint32_t index,
                   core::Ray& out) const override;
@@ -52,8 +58,6 @@ class ThickLenticular final : public Lenticular {
   std::uint64_t count_dark_pixels() const;
   /// Some ray of the column shows something in every row.
   bool is_never_dark(const LensColumn& column) const;
-  bool is_dark(const LensColumn& column, double rise) const;
-
   ThickLens m_lens;
   RayShares m_shares;
   std::uint64_t m_dark_pixels = 0;

@@ -14,28 +14,6 @@ json counts_json(const core::ShadowCounts& counts) {
           {"auto", {{"cached", counts.cached}}}};
 }
 
-json lens_json(const LensReport& lens) {
-  const camera::LensParameters& p = lens.parameters;
-  json out{{"pitch_mm", p.pitch},
-           {"focal_length_mm", p.focal_length},
-           {"ior", p.ior},
-           {"pixels", p.pixels},
-           {"model", camera::name_of(p.model)},
-           {"print_pitch_mm", p.print_pitch()},
-           {"pixel_size_mm", p.pixel_size()},
-           {"print_dpi", p.print_dpi()},
-           {"lenses_per_inch", p.lenses_per_inch()},
-           {"lenses", lens.lenses},
-           {"views", lens.views},
-           {"lens_front", lens.lens_front},
-           {"scene_units_per_mm", lens.scene_units_per_mm},
-           {"sheet_width_mm", lens.sheet_width},
-           {"sheet_height_mm", lens.sheet_height}};
-  // JSON has no infinity: null is the paper's camera.
-  out["view_distance_mm"] = p.is_finite() ? json(p.view_distance) : json(nullptr);
-  return out;
-}
-
 json tests_json(const RunReport& report) {
   json by_type = json::object();
   for (const auto& [type, count] : report.counters.tests_by_type) by_type[type] = count;
@@ -92,7 +70,6 @@ json to_json(const RunReport& report) {
                     {"shadow_cache", report.shadow_cache},
                     {"accelerator", report.accelerator}};
   out["bands"] = {{"height", report.band_height}, {"count", report.bands}};
-  if (report.lens) out["lens"] = lens_json(*report.lens);
   out["rays"] = {{"camera", c.camera_rays},
                  {"reflected", c.reflected_rays},
                  {"refracted", c.refracted_rays},

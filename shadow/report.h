@@ -4,11 +4,9 @@
 
 #include <cstdint>
 #include <nlohmann/json.hpp>
-#include <optional>
 #include <string>
 #include <vector>
 
-#include "camera/lens_sheet.h"
 #include "core/base/counters.h"
 #include "core/base/memory_stages.h"
 #include "core/pass/pass_report.h"
@@ -16,21 +14,10 @@
 
 namespace lentray::shadow {
 
-/// What is said about the lens sheet; lengths in mm.
-struct LensReport {
-  camera::LensParameters parameters;
-  double lenses = 0.0;      ///< L, fractional when the last lens is cut
-  std::uint32_t views = 0;  ///< 0: N is not whole
-  double lens_front = 0.0;  ///< scene units
-  double scene_units_per_mm = 0.0;
-  double sheet_width = 0.0, sheet_height = 0.0;
-};
-
 struct RunReport {
   std::string scene;  ///< as it was named
   std::uint32_t width = 0, height = 0;
   std::string pixel_order = "rows", shadow_cache = "off", accelerator = "bvh";
-  std::optional<LensReport> lens;            ///< none for an ordinary camera
   core::Counters counters;                   ///< merged over the threads
   std::vector<core::PassReport> passes;      ///< before the film
   std::uint32_t band_height = 0, bands = 0;  ///< rows in a band, and how many bands there are

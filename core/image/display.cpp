@@ -8,8 +8,6 @@
 namespace lentray::core {
 namespace {
 
-bool has_alpha(const StoredImage& image) { return image.channels == 2 || image.channels == 4; }
-
 /// 0 to 1, for a display of sRGB's curve.
 float shown(float value, double gamma) {
   if (gamma > 0.0) {
@@ -22,12 +20,12 @@ float shown(float value, double gamma) {
 }  // namespace
 
 bool is_shown_as_stored(const StoredImage& image) {
-  return image.bits != 32 && !has_alpha(image) && image.gamma <= 0.0;
+  return image.bits != 32 && !image.has_alpha() && image.gamma <= 0.0;
 }
 
 StoredImage without_alpha(const StoredImage& image) {
   StoredImage out = image;
-  out.channels = image.channels - (has_alpha(image) ? 1 : 0);
+  out.channels = image.channels - (image.has_alpha() ? 1 : 0);
   out.samples.assign(
       std::size_t{image.width} * image.height * static_cast<std::size_t>(out.channels), 0.0f);
   std::size_t to = 0;
@@ -40,7 +38,7 @@ StoredImage without_alpha(const StoredImage& image) {
 
 StoredImage displayed(const StoredImage& image) {
   constexpr float kScale = 255.0f;
-  const float most = image.bits == 32 ? 1.0f : static_cast<float>((1u << image.bits) - 1u);
+  const float most = image.most();
   StoredImage out;
   out.width = image.width;
   out.height = image.height;
@@ -49,7 +47,7 @@ StoredImage displayed(const StoredImage& image) {
   out.samples.assign(std::size_t{3} * image.width * image.height, 0.0f);
   for (std::uint32_t y = 0; y < image.height; ++y) {
     for (std::uint32_t x = 0; x < image.width; ++x) {
-      const float alpha = has_alpha(image)
+      const float alpha = image.has_alpha()
                               ? std::clamp(image.at(x, y, image.channels - 1) / most, 0.0f, 1.0f)
                               : 1.0f;
       const float behind = (x / kCheckerSize + y / kCheckerSize) % 2 == 0 ? 0.0f : 1.0f;

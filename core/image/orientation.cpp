@@ -31,24 +31,24 @@ Turn turn_of(int orientation) {
   }
 }
 
-template <typename Value>
 void turn_samples(StoredImage& image, const Turn& turn) {
-  check_room(static_cast<double>(image.samples.size()) * sizeof(Value));
-  const std::vector<Value> from = image.samples.take<Value>();
-  std::vector<Value> to;
-  to.reserve(from.size());
   const std::uint32_t width = turn.is_across ? image.height : image.width,
                       height = turn.is_across ? image.width : image.height;
-  for (std::uint32_t y = 0; y < height; ++y) {
-    for (std::uint32_t x = 0; x < width; ++x) {
-      std::uint32_t column = turn.is_across ? y : x, row = turn.is_across ? x : y;
-      if (turn.right_to_left) column = image.width - 1 - column;
-      if (turn.bottom_to_top) row = image.height - 1 - row;
-      const Value* pixel = from.data() + image.place(column, row, 0);
-      to.insert(to.end(), pixel, pixel + image.channels);
+  image.samples.visit([&](auto& from) {
+    check_room(static_cast<double>(from.size() * sizeof from[0]));
+    std::decay_t<decltype(from)> to;
+    to.reserve(from.size());
+    for (std::uint32_t y = 0; y < height; ++y) {
+      for (std::uint32_t x = 0; x < width; ++x) {
+        std::uint32_t column = turn.is_across ? y : x, row = turn.is_across ? x : y;
+        if (turn.right_to_left) column = image.width - 1 - column;
+        if (turn.bottom_to_top) row = image.height - 1 - row;
+        const auto* pixel = from.data() + image.place(column, row, 0);
+        to.insert(to.end(), pixel, pixel + image.channels);
+      }
     }
-  }
-  image.samples.store(std::move(to));
+    from = std::move(to);
+  });
   image.width = width;
   image.height = height;
 }
@@ -60,16 +60,39 @@ void exchange(std::map<std::string, std::string>& attributes, const char* a, con
 
 }  // namespace
 
+StoredImage rearranged(const StoredImage& image, const std::vector<std::uint32_t>& columns,
+                       const std::vector<std::uint32_t>& rows) {
+  const auto channels = static_cast<std::size_t>(image.channels);
+  StoredImage out{.width = static_cast<std::uint32_t>(columns.size()),
+                  .height = static_cast<std::uint32_t>(rows.size()),
+                  .channels = image.channels,
+                  .bits = image.bits,
+                  .gamma = image.gamma,
+                  .premultiplied = image.premultiplied,
+                  .samples = {},
+                  .entries = {},
+                  .attributes = image.attributes,
+                  .profile = image.profile};
+  image.samples.visit([&](const auto& from) {
+    check_room(static_cast<double>(columns.size() * rows.size() * channels * sizeof from[0]));
+    std::decay_t<decltype(from)> to;
+    to.reserve(columns.size() * rows.size() * channels);
+    for (const std::uint32_t row : rows) {
+      const auto* line = from.data() + std::size_t{row} * image.width * channels;
+      for (const std::uint32_t column : columns) {
+        const auto* pixel = line + column * channels;
+        to.insert(to.end(), pixel, pixel + channels);
+      }
+    }
+    out.samples.store(std::move(to));
+  });
+  return out;
+}
+
 StoredImage upright(StoredImage image, int orientation) {
   if (orientation <= 1 || orientation > 8) return image;
   const Turn turn = turn_of(orientation);
-  if (image.samples.is_stored_as<std::uint8_t>()) {
-    turn_samples<std::uint8_t>(image, turn);
-  } else if (image.samples.is_stored_as<std::uint16_t>()) {
-    turn_samples<std::uint16_t>(image, turn);
-  } else {
-    turn_samples<float>(image, turn);
-  }
+  turn_samples(image, turn);
   image.entries.clear();
   if (turn.is_across) exchange(image.attributes, "XResolution", "YResolution");
   return image;

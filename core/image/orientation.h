@@ -1,4 +1,5 @@
-// Stored pictures turned as they are shown. Errors: NoRoom (core/base/memory_limit.h). Pure.
+// Stored pictures whose pixels are put elsewhere, and turned as they are shown. No sample is changed.
+// Errors: NoRoom (core/base/memory_limit.h). Pure.
 // Source: TIFF specification 6.0, Orientation; the tag of Exif is the same.
 #pragma once
 
@@ -6,8 +7,14 @@
 
 namespace lentray::core {
 
-/// `orientation` 1 to 8: what the stored row 0 and column 0 are to the eye; 5 to 8 exchange width and height. Samples
-/// are moved, never changed. Resolutions among the attributes are turned along.
+/// Column x of the result is column `columns[x]` of the picture, and likewise rows.
+StoredImage rearranged(const StoredImage& image, const std::vector<std::uint32_t>& columns,
+                       const std::vector<std::uint32_t>& rows);
+
+constexpr int kMirrored = 2;
+constexpr int kTurned = 6;  ///< a quarter turn clockwise
+/// `orientation` 1 to 8: what the stored row 0 and column 0 are to the eye; 5 to 8 exchange width and height.
+/// Resolutions among the attributes are turned along.
 StoredImage upright(StoredImage image, int orientation);
 
 }  // namespace lentray::core

@@ -6,6 +6,7 @@
 #include <cstring>
 #include <string_view>
 
+#include "core/base/lower_case.h"
 #include "core/base/memory_limit.h"
 #include "core/image/exr_head.h"
 #include "core/image/format_readers.h"
@@ -30,9 +31,7 @@ std::string all_of(std::FILE* file, const std::filesystem::path& path) {
 }
 
 bool is_targa_name(const std::filesystem::path& name) {
-  std::string extension = name.extension().string();
-  for (char& c : extension) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-  return extension == ".tga";
+  return lower_case(name.extension().string()) == ".tga";
 }
 
 /// OpenImageIO reads palettes as colours.
@@ -66,7 +65,7 @@ StoredImage by_openimageio(const NamedFile& named, std::string_view begins, std:
   // Files of floats hold linear light.
   if (image.bits == 32) {
     image.gamma = 1.0;
-    image.premultiplied = image.channels == 2 || image.channels == 4;
+    image.premultiplied = image.has_alpha();
   }
   add_entries(image, begins, file, named.path);
   return image;

@@ -14,6 +14,8 @@
 
 namespace lentray::core {
 
+struct PictureSpec;
+
 struct StoredImage {
   std::uint32_t width = 0, height = 0;
   int channels = 0;  ///< 1 grey, 2 with alpha, 3 RGB, 4 RGBA
@@ -29,6 +31,9 @@ struct StoredImage {
   /// The ICC profile that the samples' colours are of; empty: sRGB, or what `gamma` says. read_image() leaves it empty.
   std::string profile{};
 
+  bool has_alpha() const { return channels == 2 || channels == 4; }
+  /// The sample that is white.
+  float most() const { return bits == 32 ? 1.0f : static_cast<float>((1u << bits) - 1u); }
   std::size_t place(std::uint32_t column, std::uint32_t row, int channel) const {
     return (std::size_t{row} * width + column) * static_cast<std::size_t>(channels) +
            static_cast<std::size_t>(channel);
@@ -41,6 +46,17 @@ struct StoredImage {
   }
 };
 
+/// Of 8 or 16 bits, all black.
+inline StoredImage black_rgb(std::uint32_t width, std::uint32_t height, int bits) {
+  StoredImage out;
+  out.width = width;
+  out.height = height;
+  out.channels = 3;
+  out.bits = bits;
+  out.samples.store_bits(bits, std::size_t{3} * width * height);
+  return out;
+}
+
 /// What a file is called where its path is only a handle on it: its end gives the format where its first bytes do
 /// not, and messages name it. `is_targa`: such files are not marked, but the scene says so.
 struct NamedFile {
@@ -52,5 +68,8 @@ StoredImage read_image(const std::filesystem::path& path);
 
 /// Integer samples are written as they are (`bits` 8 or 16; PNG or TIFF by the extension).
 void write_stored(const StoredImage& image, const std::filesystem::path& path);
+/// The samples as the spec has them.
+void write_stored(const StoredImage& image, const std::filesystem::path& path,
+                  const PictureSpec& spec);
 
 }  // namespace lentray::core

@@ -69,6 +69,21 @@ class Samples {
   std::vector<Value> take() {
     return std::move(std::get<std::vector<Value>>(m_values));
   }
+  /// `count` zeros, of that many bits: 8 or 16; 32 are floats.
+  void store_bits(int bits, std::size_t count) {
+    if (bits == 8) return void(store<std::uint8_t>(count));
+    if (bits == 16) return void(store<std::uint16_t>(count));
+    assign(count, 0.0f);
+  }
+  /// `work` gets the vector of all, of whatever type.
+  template <typename Work>
+  void visit(const Work& work) {
+    std::visit(work, m_values);
+  }
+  template <typename Work>
+  void visit(const Work& work) const {
+    std::visit(work, m_values);
+  }
   void resize(std::size_t count) {
     std::visit([&](auto& values) { values.resize(count); }, m_values);
   }

@@ -68,13 +68,10 @@ class Decoder {
 class Rows {
  public:
   explicit Rows(const StoredImage& image)
-      : m_image(image), m_decode(image),
-        m_most(image.bits == 32 ? 1.0f : float((1u << image.bits) - 1u)),
-        m_row(kChannels * image.width) {}
+      : m_image(image), m_decode(image), m_most(image.most()), m_row(kChannels * image.width) {}
 
   const float* operator[](std::uint32_t row) {
     const int channels = m_image.channels;
-    const bool has_alpha = channels == 2 || channels == 4;
     std::size_t from = m_image.place(0, row, 0);
     float* to = m_row.data();
     for (std::uint32_t x = 0; x < m_image.width;
@@ -82,7 +79,7 @@ class Rows {
       for (std::size_t c = 0; c < 3; ++c)
         to[c] = m_decode(m_image.samples[from + (channels < 3 ? 0 : c)]);
       to[3] = 1.0f;
-      if (has_alpha)
+      if (m_image.has_alpha())
         put_alpha(to, m_image.samples[from + static_cast<std::size_t>(channels - 1)] / m_most);
     }
     return m_row.data();

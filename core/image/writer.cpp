@@ -1,11 +1,11 @@
 #include "core/image/writer.h"
 
 #include <algorithm>
-#include <cctype>
 #include <iterator>
 #include <memory>
 #include <string_view>
 
+#include "core/base/lower_case.h"
 #include "core/image/file_swap.h"
 #include "core/image/image_module.h"
 #include "core/image/picture_encoder.h"
@@ -106,19 +106,18 @@ PictureSpec spec_of(std::uint32_t width, std::uint32_t height, const ImageFormat
           .spare = spare};
 }
 
-template <typename Value>
-std::vector<Value> copied(const Samples& samples) {
-  std::vector<Value> values(samples.size());
-  for (std::size_t i = 0; i < values.size(); ++i) values[i] = static_cast<Value>(samples[i]);
-  return values;
-}
-
+/// In pieces that stay in the processor's cache.
 template <class Sample>
-void write_samples(const fs::path& path, const PictureSpec& spec,
-                   const std::vector<Sample>& samples) {
-  OpenPicture picture(path, spec);
-  picture.put(samples.data(), spec.height);
-  picture.finish();
+void put_samples(const StoredImage& image, OpenPicture& picture) {
+  const std::size_t row = std::size_t{image.width} * static_cast<std::size_t>(image.channels);
+  std::vector<Sample> piece;
+  for (std::uint32_t first = 0; first < image.height; first += kRowsAtATime) {
+    const std::uint32_t rows = std::min(kRowsAtATime, image.height - first);
+    piece.clear();
+    for (std::size_t i = first * row; i < (first + rows) * row; ++i)
+      piece.push_back(static_cast<Sample>(image.samples[i]));
+    picture.put(piece.data(), rows);
+  }
 }
 
 }  // namespace
@@ -160,9 +159,7 @@ constexpr Extension kExtensions[] = {
 }  // namespace
 
 FileType file_type_of(const fs::path& path) {
-  std::string extension = path.extension().string();
-  std::transform(extension.begin(), extension.end(), extension.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  const std::string extension = lower_case(path.extension().string());
   std::string known;
   for (const Extension& row : kExtensions) {
     if (extension == row.text) return row.type;
@@ -223,18 +220,24 @@ void write_stored(const StoredImage& image, const fs::path& path) {
     throw ImageError("cannot write '" + path.string() +
                      "' as it is stored: there are .png, .tif, .exr");
   }
-  const PictureSpec spec{.type = type,
-                         .width = image.width,
-                         .height = image.height,
-                         .channels = image.channels,
-                         .bits = floats ? 32 : image.bits};
-  if (floats) {
-    write_samples(path, spec, copied<float>(image.samples));
-  } else if (image.bits == 8) {
-    write_samples(path, spec, copied<std::uint8_t>(image.samples));
+  write_stored(image, path,
+               {.type = type,
+                .width = image.width,
+                .height = image.height,
+                .channels = image.channels,
+                .bits = floats ? 32 : image.bits});
+}
+
+void write_stored(const StoredImage& image, const fs::path& path, const PictureSpec& spec) {
+  OpenPicture picture(path, spec);
+  if (spec.bits == 32) {
+    put_samples<float>(image, picture);
+  } else if (spec.bits == 8) {
+    put_samples<std::uint8_t>(image, picture);
   } else {
-    write_samples(path, spec, copied<std::uint16_t>(image.samples));
+    put_samples<std::uint16_t>(image, picture);
   }
+  picture.finish();
 }
 
 }  // namespace lentray::core

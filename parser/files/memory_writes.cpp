@@ -7,6 +7,7 @@
 #include <cctype>
 #include <filesystem>
 
+#include "core/base/lower_case.h"
 #include "parser/base/shown.h"
 
 namespace lentray::parser {
@@ -37,11 +38,6 @@ std::string key(const std::string& path) {
   return error ? whole.string() : place.string();
 }
 
-std::string in_lower_case(std::string text) {
-  for (char& c : text) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-  return text;
-}
-
 }  // namespace
 
 std::shared_ptr<std::string> MemoryWrites::find(const std::string& path) const {
@@ -59,9 +55,9 @@ std::optional<std::string> MemoryWrites::find_loosely(const std::string& folder,
   if (auto found = m_below.find_loosely(folder, name)) return found;
   std::string slashes = name;
   std::replace(slashes.begin(), slashes.end(), '\\', '/');
-  const std::string wanted = in_lower_case(key((fs::path(folder) / slashes).string()));
+  const std::string wanted = core::lower_case(key((fs::path(folder) / slashes).string()));
   for (const auto& [path, text] : m_texts) {
-    if (in_lower_case(path) == wanted) return path;
+    if (core::lower_case(path) == wanted) return path;
   }
   return std::nullopt;
 }

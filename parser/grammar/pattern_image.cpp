@@ -3,6 +3,7 @@
 #include <optional>
 #include <string>
 
+#include "core/base/lower_case.h"
 #include "core/image/palette_size.h"
 #include "parser/base/shown.h"
 #include "parser/grammar/helpers.h"
@@ -22,12 +23,6 @@ constexpr ImageType kImageTypes[] = {
     {Keyword::kTiff, "tif"}, {Keyword::kBmp, "bmp"}, {Keyword::kExr, "exr"},
     {Keyword::kHdr, "hdr"},
 };
-
-std::string lower(std::string text) {
-  std::transform(text.begin(), text.end(), text.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return text;
-}
 
 void find_image(Parser& parser, ImageDesc& image, const Location& where) {
   image.where = where;
@@ -130,7 +125,7 @@ std::shared_ptr<ImageDesc> parse_image_source(Parser& parser) {
     if (parser.at(Punct::kRightCurly)) parser.fail_expected("an image file");
     image->name = parser.parse_path();
     const std::string extension = std::filesystem::path(image->name).extension().string();
-    image->type = extension.empty() ? "png" : lower(extension.substr(1));
+    image->type = extension.empty() ? "png" : core::lower_case(extension.substr(1));
   }
   find_image(parser, *image, where);
   set_decoding(parser, *image);

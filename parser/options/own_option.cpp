@@ -1,7 +1,7 @@
 #include "parser/options/own_option.h"
 
-#include <algorithm>
 #include <cctype>
+#include <utility>
 
 #include "parser/options/ini.h"
 
@@ -13,27 +13,35 @@ std::string long_name(std::string_view name) {
   return out;
 }
 
-std::optional<OwnOption> own_option(const std::vector<std::string>& words, std::size_t& at,
-                                    std::span<const std::string_view> names) {
+std::optional<GivenOption> own_option(const std::vector<std::string>& words, std::size_t& at,
+                                      std::string_view known) {
   const std::string& word = words[at];
   const std::size_t equals = word.find('=');
   const std::string name = word.substr(0, equals);
   const bool is_long = name.starts_with("--");
   if (!is_long && equals == std::string::npos) return std::nullopt;
-  const auto row = std::ranges::find_if(names, [&](std::string_view known) {
-    return is_long ? name == long_name(known) : same_word(name, known);
-  });
-  if (row == names.end()) return std::nullopt;
-  OwnOption out{static_cast<std::size_t>(row - names.begin()), {}};
-  out.given.shown = word;
+  if (is_long ? name != long_name(known) : !same_word(name, known)) return std::nullopt;
+  GivenOption given;
+  given.shown = word;
   if (equals != std::string::npos) {
-    out.given.value = unquoted(word.substr(equals + 1));
-    return out;
+    given.value = unquoted(word.substr(equals + 1));
+    return given;
   }
   if (at + 1 >= words.size()) throw OptionError(name + " needs a value");
-  out.given.value = words[++at];
-  out.given.shown += " " + words[at];
-  return out;
+  given.value = words[++at];
+  given.shown += " " + words[at];
+  return given;
+}
+
+GivenOption part_of(const GivenOption& given, std::string text) {
+  GivenOption part = given;
+  part.value = std::move(text);
+  return part;
+}
+
+std::filesystem::path file_name(const GivenOption& given, const char* what) {
+  if (given.value.empty()) refuse(given, std::string("the name of a ") + what + " is expected");
+  return given.value;
 }
 
 }  // namespace lentray::parser

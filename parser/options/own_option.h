@@ -4,8 +4,8 @@
 #pragma once
 
 #include <cstddef>
+#include <filesystem>
 #include <optional>
-#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -14,15 +14,35 @@
 
 namespace lentray::parser {
 
+/// What is given of the option of that name, if it stands at words[at]. `at` moves on to its value if that is a word
+/// of its own.
+std::optional<GivenOption> own_option(const std::vector<std::string>& words, std::size_t& at,
+                                      std::string_view name);
+
+/// A row of a program's table of options.
+template <class Target>
 struct OwnOption {
-  std::size_t index;  ///< in the names
-  GivenOption given;
+  std::string_view name;
+  void (*apply)(Target& target, const GivenOption& given);
 };
 
-/// The option at words[at], if it has one of the names. `at` moves on to its value if that is a word
-/// of its own.
-std::optional<OwnOption> own_option(const std::vector<std::string>& words, std::size_t& at,
-                                    std::span<const std::string_view> names);
+/// Does what the row says whose option stands at words[at]; false: there is none.
+template <class Target, std::size_t N>
+bool take_own_option(const std::vector<std::string>& words, std::size_t& at,
+                     const OwnOption<Target> (&rows)[N], Target& target) {
+  for (const OwnOption<Target>& row : rows) {
+    const auto given = own_option(words, at, row.name);
+    if (!given) continue;
+    row.apply(target, *given);
+    return true;
+  }
+  return false;
+}
+
+/// A part of a value, such as a number of a list.
+GivenOption part_of(const GivenOption& given, std::string text);
+/// "the name of a file is expected", unless it is there.
+std::filesystem::path file_name(const GivenOption& given, const char* what = "file");
 
 /// Strip_Width as --strip-width.
 std::string long_name(std::string_view name);

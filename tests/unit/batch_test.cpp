@@ -217,8 +217,8 @@ Row full_row() {
 }
 
 TEST_F(UnitBatch, RowsSurviveAsJson) {
-  const nlohmann::json json = to_json(full_row());
-  EXPECT_EQ(to_json(row_of(json)), json);
+  const nlohmann::json json = json_of(full_row());
+  EXPECT_EQ(json_of(row_of(json)), json);
   EXPECT_EQ(row_of(json).files.at("/x/a/b.pov").sum, 0xffffffffffffffff);
   EXPECT_EQ(row_of(json).verdict->psnr, 41.5);
   EXPECT_EQ(row_of(json).verdict->noise_rms, 0.375);

@@ -6,6 +6,8 @@
 
 #include <cmath>
 
+#include "camera/lenticular.h"
+
 namespace lentray::camera {
 namespace {
 
@@ -261,13 +263,9 @@ TEST(UnitCameraLensSheet, TheLastLensMayBeCut) {
   EXPECT_EQ(sheet.lens_count(), 3u);
   EXPECT_DOUBLE_EQ(sheet.lenses(), 31.0 / 14.0);
   EXPECT_EQ(sheet.views(), 14u);
-  EXPECT_EQ(sheet.view_width(2), 3u);
-  EXPECT_EQ(sheet.view_width(3), 2u);
-  EXPECT_EQ(sheet.view_width(14), 0u);
-  std::uint32_t column = 0;
-  EXPECT_TRUE(sheet.view_column(2, 2, column));
-  EXPECT_EQ(column, 30u);
-  EXPECT_FALSE(sheet.view_column(3, 2, column));
+  EXPECT_EQ(view_width(sheet, 2, 14), 3u);
+  EXPECT_EQ(view_width(sheet, 3, 14), 2u);
+  EXPECT_EQ(view_column(14.0, 2, 14, 2), 30);
   // The sheet's middle is the middle of all pixels, cut lens included.
   EXPECT_NEAR(sheet.column(15).centre, 0.0, 1e-15);
 }

@@ -278,8 +278,8 @@ TEST(UnitCameraSheetReport, TheEyesViewsAreThoseWhoseRaysMeetThere) {
   int left = 0, right = 0;
   double left_miss = 1e9, right_miss = 1e9;
   for (std::uint32_t view = 0; view < 15; ++view) {
-    std::uint32_t column = 0;
-    ASSERT_TRUE(columns.view_column(view, middle, column));
+    const auto column = static_cast<std::uint32_t>(view_column(15.0, view, 15, middle));
+    ASSERT_LT(column, columns.width());
     // Where the pixel's ray comes from, at the eyes' distance.
     const double x = columns.column(column).axis - 400.0 * columns.column(column).slope;
     if (std::fabs(x + 32.5) < left_miss) left = static_cast<int>(view);

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <string>
 
+#include "core/image/orientation.h"
 #include "tools/lentray-print/letters.h"
 #include "tools/lentray-print/lines.h"
 #include "tools/lentray-print/page_error.h"
@@ -150,10 +151,10 @@ TEST(UnitPrintPage, PixelsAreThoseOfTheMirroredPage) {
   const Page page = decorated_page(), mirror = mirrored(page);
   const Window all{0, 0, page.columns(), page.rows()};
   const core::StoredImage plain = stored_window(page, all, 8);
-  EXPECT_TRUE(same_samples(mirrored(stored_window(mirror, all, 8)), plain));
+  EXPECT_TRUE(same_samples(core::upright(stored_window(mirror, all, 8), core::kMirrored), plain));
   const Page turn = turned(page);
-  EXPECT_TRUE(
-      same_samples(stored_window(turn, {0, 0, turn.columns(), turn.rows()}, 8), turned(plain)));
+  EXPECT_TRUE(same_samples(stored_window(turn, {0, 0, turn.columns(), turn.rows()}, 8),
+                           core::upright(plain, core::kTurned)));
   // The picture is on it as it was.
   for (std::uint32_t x = 0; x < 30; ++x)
     EXPECT_EQ(plain.at(x + 7, 15, 1), page.pictures[0].image.at(x, 4, 1));

@@ -4,7 +4,9 @@
 
 #include <stdexcept>
 
+#include "camera/sheet_views.h"
 #include "shadow/tester_factory.h"
+#include "tools/session/statistics.h"
 
 using namespace lentray;
 
@@ -78,16 +80,28 @@ TEST(UnitShadowReport, PassesHaveTheirNumbers) {
 }
 
 TEST(UnitShadowReport, LensKeysAndTheInfiniteViewingDistance) {
-  shadow::RunReport r = shadow_report_sample();
-  r.lens.emplace();
-  r.lens->lenses = 2.0;
-  nlohmann::json j = shadow::to_json(r);
-  EXPECT_DOUBLE_EQ(j["lens"]["pitch_mm"], 1.124);
-  EXPECT_DOUBLE_EQ(j["lens"]["pixels"], 15.0);
-  EXPECT_TRUE(j["lens"]["view_distance_mm"].is_null());
-  r.lens->parameters.view_distance = 400;
-  j = shadow::to_json(r);
-  EXPECT_DOUBLE_EQ(j["lens"]["view_distance_mm"], 400.0);
+  tool::CameraSetup camera;
+  const auto lens_of = [&] {
+    return tool::statistics(shadow_report_sample(), camera, {}).at("lens");
+  };
+  camera::LensParameters lens;
+  camera.sheet = std::make_shared<camera::Lenticular>(lens, camera::SheetPlacement{}, 30, 20);
+  EXPECT_DOUBLE_EQ(lens_of()["pitch_mm"], 1.124);
+  EXPECT_DOUBLE_EQ(lens_of()["pixels"], 15.0);
+  EXPECT_EQ(lens_of()["view_distance_mm"], 0.0);
+  // A quilt of a cone's views says nothing of lenses itself.
+  const auto quilt_of = [&] {
+    return std::make_shared<camera::Quilt>(
+        std::vector<std::shared_ptr<const camera::Camera>>{
+            camera::make_view(*camera.sheet, 0, 3, 4, 5)},
+        1, camera::Properties{});
+  };
+  camera.view = quilt_of();
+  EXPECT_TRUE(lens_of()["view_distance_mm"].is_null());
+  lens.view_distance = 400.0;
+  camera.sheet = std::make_shared<camera::Lenticular>(lens, camera::SheetPlacement{}, 30, 20);
+  camera.view = quilt_of();
+  EXPECT_DOUBLE_EQ(lens_of()["view_distance_mm"], 400.0);
 }
 
 TEST(ErrorShadowTesters, UnknownNameListsWhatThereIs) {

@@ -19,21 +19,21 @@ namespace fs = std::filesystem;
 
 namespace {
 
-sigset_t stop_signals() {
+/// Those that ask to stop, and the one of a child's end.
+sigset_t awaited_signals() {
   sigset_t set;
   sigemptyset(&set);
-  for (const int signal : {SIGINT, SIGTERM, SIGHUP}) sigaddset(&set, signal);
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGCHLD}) sigaddset(&set, signal);
   return set;
 }
-
-sigset_t g_before;  ///< the signals that were held when the program began
 
 /// In the child. Async-signal-safe calls, but for `work`.
 [[noreturn]] void become(char* const* command, const char* folder, int log,
                          const std::function<int()>& work, double cpu_limit) {
   ::prctl(PR_SET_PDEATHSIG, SIGKILL);
   ::setpgid(0, 0);  // a terminal's Ctrl-C is for the parent, which asks its children itself
-  ::sigprocmask(SIG_SETMASK, &g_before, nullptr);
+  const sigset_t set = awaited_signals();
+  ::sigprocmask(SIG_UNBLOCK, &set, nullptr);
   if (cpu_limit > 0.0) {
     const auto seconds = static_cast<rlim_t>(std::ceil(cpu_limit));
     const rlimit limit{seconds, seconds + 5};
@@ -117,16 +117,14 @@ double Child::seconds() const {
 std::uint64_t Child::resident_bytes() const { return m_pid < 0 ? 0 : resident_of(m_pid); }
 
 void hold_signals() {
-  sigset_t set = stop_signals();
-  sigaddset(&set, SIGCHLD);
-  ::sigprocmask(SIG_BLOCK, &set, &g_before);
+  const sigset_t set = awaited_signals();
+  ::sigprocmask(SIG_BLOCK, &set, nullptr);
   ::signal(SIGXFSZ, SIG_IGN);
   ::signal(SIGPIPE, SIG_IGN);
 }
 
 int wait_for_news(std::chrono::milliseconds most) {
-  sigset_t set = stop_signals();
-  sigaddset(&set, SIGCHLD);
+  const sigset_t set = awaited_signals();
   const timespec time{most.count() / 1000, (most.count() % 1000) * 1'000'000};
   const int signal = ::sigtimedwait(&set, nullptr, &time);
   return signal == SIGINT || signal == SIGTERM || signal == SIGHUP ? signal : 0;

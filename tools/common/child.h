@@ -50,7 +50,7 @@ class Child {
   std::chrono::steady_clock::time_point m_start;
 };
 
-/// Blocks the signals that wait_for_news() waits for, in this thread. Children get them as they were before.
+/// Blocks the signals that wait_for_news() waits for, in this thread. Children get them.
 void hold_signals();
 /// Waits for a child's end or a signal that asks to stop. The signal's number; 0: none of these.
 int wait_for_news(std::chrono::milliseconds most);

@@ -69,7 +69,6 @@ Transform transform_from(const std::string& profile, cmsUInt32Number from, cmsUI
   return transform;
 }
 
-bool has_alpha_channel(int channels) { return channels == 2 || channels == 4; }
 cmsUInt32Number kind_of(int channels) { return channels < 3 ? kGreys : kColours; }
 
 /// Where the colours of all pixels of a row are, without alpha.
@@ -77,9 +76,8 @@ class Row {
  public:
   Row(StoredImage& image, std::uint32_t row)
       : m_image(image), m_start(image.place(0, row, 0)),
-        m_colours(static_cast<std::size_t>(image.channels) -
-                  (has_alpha_channel(image.channels) ? 1 : 0)),
-        m_most(image.bits == 32 ? 1.0f : static_cast<float>((1u << image.bits) - 1u)) {}
+        m_colours(static_cast<std::size_t>(image.channels) - (image.has_alpha() ? 1 : 0)),
+        m_most(image.most()) {}
 
   void get(std::vector<float>& values) const {
     values.clear();
@@ -183,12 +181,8 @@ void convert_to_srgb(StoredImage& image, const std::string& profile) {
 StoredImage srgb_of_inks(const StoredImage& inks, const std::string& profile) {
   constexpr float kAll = 100.0f;  // LittleCMS has inks in percent
   const Transform transform = transform_from(profile, kInks, kColours, false);
-  StoredImage out;
-  out.width = inks.width;
-  out.height = inks.height;
-  out.channels = 3;
+  StoredImage out = core::black_rgb(inks.width, inks.height, 8);
   out.gamma = -1.0;
-  out.samples.store<std::uint8_t>(std::size_t{3} * inks.width * inks.height);
   std::vector<float> values(std::size_t{4} * inks.width), converted(std::size_t{3} * inks.width);
   for (std::uint32_t y = 0; y < inks.height; ++y) {
     for (std::size_t i = 0; i < values.size(); ++i)

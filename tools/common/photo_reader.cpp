@@ -103,7 +103,7 @@ void use_srgb_curve(StoredImage& image) {
   constexpr double kAsUsual = 0.05;
   const bool is_usual = image.gamma <= 0.0 || std::fabs(image.gamma - kUsualGamma) <= kAsUsual;
   if (image.bits == 32 || is_usual || !image.profile.empty()) return;
-  const float most = static_cast<float>((1u << image.bits) - 1u);
+  const float most = image.most();
   std::vector<float> table;
   for (std::uint32_t i = 0; i < 1u << image.bits; ++i) {
     const double light = std::pow(static_cast<double>(i) / most, image.gamma);

@@ -16,6 +16,7 @@
 #include <system_error>
 
 #include "core/image/file_swap.h"
+#include "core/image/writer.h"
 
 namespace lentray::tool {
 
@@ -127,7 +128,11 @@ void write_text(const fs::path& path, const std::string& text) {
 
 void write_whole(const fs::path& place, const std::string& bytes) {
   core::FileSwap swap(place);
-  write_text(swap.temporary(), bytes);
+  std::ofstream file(swap.temporary(), std::ios::binary);
+  file << bytes;
+  file.close();
+  if (!file)
+    throw core::ImageError("cannot write '" + place.string() + "': " + std::strerror(errno));
   swap.commit();
 }
 

@@ -36,7 +36,7 @@ class TemporaryFolder {
 /// Whole text files. std::runtime_error if that fails.
 std::string read_text(const std::filesystem::path& path);
 void write_text(const std::filesystem::path& path, const std::string& text);
-/// The file appears whole or not at all; what stood there before stays until then. core::ImageError too.
+/// The file appears whole or not at all; what stood there before stays until then. core::ImageError.
 void write_whole(const std::filesystem::path& place, const std::string& bytes);
 
 }  // namespace lentray::tool

@@ -61,10 +61,7 @@ int count_of(const std::string& option, const std::string& text) {
 }
 
 bool is_ini(const std::string& word) {
-  std::string extension = fs::path(parser::ini_name(word).file).extension().string();
-  std::ranges::transform(extension, extension.begin(),
-                         [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return extension == ".ini";
+  return same_word(fs::path(parser::ini_name(word).file).extension().string(), ".ini");
 }
 
 /// What the batch itself decides of every run.

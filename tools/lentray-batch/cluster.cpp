@@ -10,6 +10,7 @@
 #include "tools/common/duration.h"
 #include "tools/common/messages.h"
 #include "tools/common/process.h"
+#include "tools/common/shell_words.h"
 #include "tools/lentray-batch/estimate.h"
 
 namespace lentray::batch {
@@ -19,13 +20,6 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr int kMostSubmissions = 4;  ///< of the same work
-
-/// In a shell script, whatever is in it.
-std::string quoted(const std::string& text) {
-  std::string out = "'";
-  for (const char c : text) out += c == '\'' ? std::string("'\\''") : std::string(1, c);
-  return out + "'";
-}
 
 std::string run_name() {
   const std::time_t now = std::time(nullptr);
@@ -148,8 +142,9 @@ bool Cluster::prepare(const std::vector<Job*>& jobs) {
   m_folder->write(m_plan.arguments.words, m_tasks);
   const fs::path self = fs::read_symlink("/proc/self/exe");
   tool::write_whole(m_folder->path() / "task.sh",
-                    "#!/bin/sh\nexec " + quoted(self.string()) + " --worker=" +
-                        quoted(m_folder->path().string()) + " --task=\"$SLURM_ARRAY_TASK_ID\"\n");
+                    "#!/bin/sh\nexec " + tool::shell_word(self.string()) +
+                        " --worker=" + tool::shell_word(m_folder->path().string()) +
+                        " --task=\"$SLURM_ARRAY_TASK_ID\"\n");
   submit();
   return true;
 }

@@ -6,7 +6,6 @@
 
 #include <cerrno>
 #include <cstring>
-#include <fstream>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 #include <utility>
@@ -18,25 +17,12 @@ namespace lentray::batch {
 
 namespace {
 
-std::string line_of(const Row& row) { return tool::json_text(to_json(row)) + "\n"; }
+std::string line_of(const Row& row) { return tool::json_text(json_of(row)) + "\n"; }
 
 }  // namespace
 
 Manifest::Manifest(const std::filesystem::path& out, StateFolder& state)
-    : m_path(out / "manifest.jsonl"), m_state(state) {
-  std::ifstream file(m_path, std::ios::binary);
-  for (std::string line; std::getline(file, line);) {
-    m_is_cut = file.eof();
-    const nlohmann::json parsed = tool::json_if_any(line);
-    if (parsed.is_discarded()) continue;
-    try {
-      Row row = row_of(parsed);
-      m_rows[row.name] = std::move(row);
-    } catch (const std::invalid_argument&) {
-      // No row of ours.
-    }
-  }
-}
+    : m_path(out / "manifest.jsonl"), m_state(state), m_rows(rows_in(m_path, &m_is_cut)) {}
 
 const Row* Manifest::find(const std::string& name) const {
   const auto at = m_rows.find(name);

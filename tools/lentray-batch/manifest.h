@@ -38,10 +38,10 @@ class Manifest {
 
   const std::filesystem::path m_path;
   StateFolder& m_state;
+  bool m_is_cut = false;  ///< the file does not end in a line's end
   std::map<std::string, Row> m_rows;
   std::string m_pending;  ///< lines that found no room
   std::string m_trouble;
-  bool m_is_cut = false;  ///< the file does not end in a line's end
 };
 
 }  // namespace lentray::batch

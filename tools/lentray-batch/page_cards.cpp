@@ -1,14 +1,8 @@
 #include "tools/lentray-batch/page_cards.h"
 
 #include <algorithm>
-#include <array>
-#include <string_view>
-
 namespace lentray::batch {
 namespace {
-
-constexpr std::array<std::string_view, 6> kGrades{"exact", "match",   "noise",
-                                                  "close", "differs", "fails"};
 
 /// A frame's row is named "scene#12".
 std::string card_name(const Row& row) {

@@ -2,10 +2,12 @@
 // headline and the filters count. Times in seconds. Pure functions; errors: none; threads: any number.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <map>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "tools/lentray-batch/row.h"
@@ -38,6 +40,9 @@ struct Summary {
 };
 Summary summary_of(const std::vector<Row>& rows, const std::vector<Card>& cards);
 
+/// The best first.
+inline constexpr std::array<std::string_view, 6> kGrades{"exact", "match",   "noise",
+                                                         "close", "differs", "fails"};
 /// From exact, 0, to fails, 5; -1: no grade.
 int badness(const std::string& grade);
 /// Grades that the filter "differs" shows.

@@ -2,12 +2,13 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <cmath>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <string_view>
 
+#include "core/base/lower_case.h"
+#include "tools/common/json_fields.h"
 #include "tools/common/page_text.h"
 
 namespace lentray::batch {
@@ -16,20 +17,14 @@ namespace {
 using nlohmann::json;
 using tool::cut_text;
 using tool::link_to;
+using tool::put;
 
 /// Browsers show these.
 constexpr std::array<std::string_view, 6> kShown{".png", ".jpg", ".jpeg", ".gif", ".bmp", ".webp"};
 
 bool is_shown_by_browsers(const std::string& file) {
-  std::string extension = std::filesystem::path(file).extension().string();
-  for (char& c : extension) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-  return std::find(kShown.begin(), kShown.end(), extension) != kShown.end();
-}
-
-/// Members are left out where they say nothing.
-template <typename T>
-void put(json& out, const char* name, const T& value) {
-  if (value != T{}) out[name] = value;
+  return std::ranges::count(kShown,
+                            core::lower_case(std::filesystem::path(file).extension().string())) > 0;
 }
 
 /// JSON has no infinity, and three digits are enough of a time.

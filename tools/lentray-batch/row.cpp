@@ -1,8 +1,12 @@
 #include "tools/lentray-batch/row.h"
 
 #include <array>
+#include <fstream>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
+
+#include "tools/common/json_fields.h"
+#include "tools/common/json_text.h"
 
 namespace lentray::batch {
 namespace {
@@ -18,146 +22,99 @@ State state_named(const std::string& name) {
   throw std::invalid_argument("no state of a row: " + name);
 }
 
-/// Members are left out where they are as a new row has them.
-template <typename T>
-void put_if_given(json& out, const char* name, const T& value) {
-  if (value != T{}) out[name] = value;
-}
-
-template <typename T>
-void take(const json& from, const char* name, T& value) {
-  if (const auto at = from.find(name); at != from.end()) value = at->get<T>();
-}
-
-template <typename T>
-void take_optional(const json& from, const char* name, std::optional<T>& value) {
-  if (const auto at = from.find(name); at != from.end()) value = at->get<T>();
-}
-
-json to_json(const Verdict& v) {
-  json out{{"grade", v.grade}};
-  put_if_given(out, "note", v.note);
-  if (v.psnr) out["psnr"] = *v.psnr;
-  put_if_given(out, "beyond_1", v.beyond_1);
-  put_if_given(out, "beyond_2", v.beyond_2);
-  put_if_given(out, "largest", v.largest);
-  put_if_given(out, "block_rms", v.block_rms);
-  put_if_given(out, "bias", v.bias);
-  if (v.noise_rms) out["noise_rms"] = *v.noise_rms;
-  if (v.noise_bias) out["noise_bias"] = *v.noise_bias;
-  put_if_given(out, "noise_cpu_s", v.noise_cpu);
-  put_if_given(out, "stock_cpu_s", v.stock_cpu);
-  put_if_given(out, "stock_wall_s", v.stock_wall);
-  put_if_given(out, "stock", v.stock);
-  put_if_given(out, "difference", v.difference);
-  put_if_given(out, "lens_grades", v.lens_grades);
-  put_if_given(out, "view_grades", v.view_grades);
-  return out;
-}
-
-Verdict verdict_of(const json& from) {
-  Verdict v;
-  take(from, "grade", v.grade);
-  take(from, "note", v.note);
-  take_optional(from, "psnr", v.psnr);
-  take_optional(from, "noise_rms", v.noise_rms);
-  take_optional(from, "noise_bias", v.noise_bias);
-  take(from, "beyond_1", v.beyond_1);
-  take(from, "beyond_2", v.beyond_2);
-  take(from, "largest", v.largest);
-  take(from, "block_rms", v.block_rms);
-  take(from, "bias", v.bias);
-  take(from, "noise_cpu_s", v.noise_cpu);
-  take(from, "stock_cpu_s", v.stock_cpu);
-  take(from, "stock_wall_s", v.stock_wall);
-  take(from, "stock", v.stock);
-  take(from, "difference", v.difference);
-  take(from, "lens_grades", v.lens_grades);
-  take(from, "view_grades", v.view_grades);
-  return v;
-}
-
 }  // namespace
 
 std::string_view name_of(State state) { return kStates.at(static_cast<std::size_t>(state)); }
 
-json to_json(const Row& r) {
-  json out{{"name", r.name}, {"source", r.source}, {"state", name_of(r.state)}};
-  if (r.frame) out["frame"] = *r.frame;
-  put_if_given(out, "band", r.band);
-  put_if_given(out, "reason", r.reason);
-  put_if_given(out, "lacks_room", r.lacks_room);
-  put_if_given(out, "command", r.command);
-  put_if_given(out, "status", r.status);
-  put_if_given(out, "messages", r.messages);
-  put_if_given(out, "warnings", r.warnings);
-  put_if_given(out, "picture", r.picture);
-  put_if_given(out, "width", r.width);
-  put_if_given(out, "height", r.height);
-  put_if_given(out, "bytes", r.bytes);
-  put_if_given(out, "views", r.views);
-  put_if_given(out, "lens_pixels", r.lens_pixels);
-  put_if_given(out, "left_out", r.left_out);
-  put_if_given(out, "wall_s", r.wall);
-  put_if_given(out, "cpu_s", r.cpu);
-  put_if_given(out, "reading_s", r.reading);
-  put_if_given(out, "building_s", r.building);
-  put_if_given(out, "rendering_s", r.rendering);
-  put_if_given(out, "writing_s", r.writing);
-  put_if_given(out, "memory", r.memory);
-  out["attempts"] = r.attempts;
-  put_if_given(out, "limits", r.limits);
-  put_if_given(out, "finished", r.finished);
-  if (r.verdict) out["verdict"] = to_json(*r.verdict);
-  put_if_given(out, "key", r.key);
-  json& files = out["files"] = json::object();
-  for (const auto& [path, stamp] : r.files) files[path] = {stamp.size, stamp.modified, stamp.sum};
-  put_if_given(out, "missing", r.missing);
-  return out;
+static void to_json(json& out, State state) { out = name_of(state); }
+static void from_json(const json& from, State& state) {
+  state = state_named(from.get<std::string>());
 }
 
-Row row_of(const json& from) try {
-  Row r;
-  from.at("name").get_to(r.name);
-  from.at("source").get_to(r.source);
-  r.state = state_named(from.at("state").get<std::string>());
-  take_optional(from, "frame", r.frame);
-  take(from, "band", r.band);
-  take(from, "reason", r.reason);
-  take(from, "lacks_room", r.lacks_room);
-  take(from, "command", r.command);
-  take(from, "status", r.status);
-  take(from, "messages", r.messages);
-  take(from, "warnings", r.warnings);
-  take(from, "picture", r.picture);
-  take(from, "width", r.width);
-  take(from, "height", r.height);
-  take(from, "bytes", r.bytes);
-  take(from, "views", r.views);
-  take(from, "lens_pixels", r.lens_pixels);
-  take(from, "left_out", r.left_out);
-  take(from, "wall_s", r.wall);
-  take(from, "cpu_s", r.cpu);
-  take(from, "reading_s", r.reading);
-  take(from, "building_s", r.building);
-  take(from, "rendering_s", r.rendering);
-  take(from, "writing_s", r.writing);
-  take(from, "memory", r.memory);
-  take(from, "attempts", r.attempts);
-  take(from, "limits", r.limits);
-  take(from, "finished", r.finished);
-  if (const auto at = from.find("verdict"); at != from.end()) r.verdict = verdict_of(*at);
-  take(from, "key", r.key);
-  if (const auto files = from.find("files"); files != from.end()) {
-    for (const auto& [path, stamp] : files->items()) {
-      r.files[path] = {stamp.at(0).get<std::uint64_t>(), stamp.at(1).get<std::int64_t>(),
-                       stamp.at(2).get<std::uint64_t>()};
+static void to_json(json& out, const FileStamp& stamp) {
+  out = {stamp.size, stamp.modified, stamp.sum};
+}
+static void from_json(const json& from, FileStamp& stamp) {
+  stamp = {from.at(0).get<std::uint64_t>(), from.at(1).get<std::int64_t>(),
+           from.at(2).get<std::uint64_t>()};
+}
+
+static void json_members(auto& io, tool::Of<Verdict> auto& v) {
+  io.always("grade", v.grade);
+  io.given("note", v.note);
+  io.given("psnr", v.psnr);
+  io.given("beyond_1", v.beyond_1);
+  io.given("beyond_2", v.beyond_2);
+  io.given("largest", v.largest);
+  io.given("block_rms", v.block_rms);
+  io.given("bias", v.bias);
+  io.given("noise_rms", v.noise_rms);
+  io.given("noise_bias", v.noise_bias);
+  io.given("noise_cpu_s", v.noise_cpu);
+  io.given("stock_cpu_s", v.stock_cpu);
+  io.given("stock_wall_s", v.stock_wall);
+  io.given("stock", v.stock);
+  io.given("difference", v.difference);
+  io.given("lens_grades", v.lens_grades);
+  io.given("view_grades", v.view_grades);
+}
+
+static void json_members(auto& io, tool::Of<Row> auto& r) {
+  io("name", r.name);
+  io("source", r.source);
+  io("state", r.state);
+  io.given("frame", r.frame);
+  io.given("band", r.band);
+  io.given("reason", r.reason);
+  io.given("lacks_room", r.lacks_room);
+  io.given("command", r.command);
+  io.given("status", r.status);
+  io.given("messages", r.messages);
+  io.given("warnings", r.warnings);
+  io.given("picture", r.picture);
+  io.given("width", r.width);
+  io.given("height", r.height);
+  io.given("bytes", r.bytes);
+  io.given("views", r.views);
+  io.given("lens_pixels", r.lens_pixels);
+  io.given("left_out", r.left_out);
+  io.given("wall_s", r.wall);
+  io.given("cpu_s", r.cpu);
+  io.given("reading_s", r.reading);
+  io.given("building_s", r.building);
+  io.given("rendering_s", r.rendering);
+  io.given("writing_s", r.writing);
+  io.given("memory", r.memory);
+  io.always("attempts", r.attempts);
+  io.given("limits", r.limits);
+  io.given("finished", r.finished);
+  io.given("verdict", r.verdict);
+  io.given("key", r.key);
+  io.always("files", r.files);
+  io.given("missing", r.missing);
+}
+
+json json_of(const Row& row) { return row; }
+
+Row row_of(const json& from) try { return from.get<Row>(); } catch (const json::exception& error) {
+  throw std::invalid_argument(error.what());
+}
+
+std::map<std::string, Row> rows_in(const std::filesystem::path& path, bool* is_cut) {
+  std::map<std::string, Row> rows;
+  std::ifstream file(path, std::ios::binary);
+  for (std::string line; std::getline(file, line);) {
+    if (is_cut != nullptr) *is_cut = file.eof();
+    const json parsed = tool::json_if_any(line);
+    if (parsed.is_discarded()) continue;
+    try {
+      Row row = row_of(parsed);
+      rows[row.name] = std::move(row);
+    } catch (const std::invalid_argument&) {
+      // No row of ours.
     }
   }
-  take(from, "missing", r.missing);
-  return r;
-} catch (const json::exception& error) {
-  throw std::invalid_argument(error.what());
+  return rows;
 }
 
 }  // namespace lentray::batch

@@ -6,6 +6,7 @@
 #pragma once
 
 #include <cstdint>
+#include <filesystem>
 #include <map>
 #include <nlohmann/json_fwd.hpp>
 #include <optional>
@@ -42,6 +43,7 @@ struct Verdict {
       difference;  ///< pictures; the difference is scaled as tools/lentray-diff/report.h says
   /// Of an integral image: how many lenses and views have each grade.
   std::map<std::string, int> lens_grades, view_grades;
+  bool operator==(const Verdict&) const = default;
 };
 
 struct Row {
@@ -77,7 +79,10 @@ struct Row {
   std::vector<std::string> missing;        ///< absolute paths that were looked for in vain
 };
 
-nlohmann::json to_json(const Row& row);
+nlohmann::json json_of(const Row& row);
 Row row_of(const nlohmann::json& json);
+/// All rows of a file that has one a line; the last one of a name holds. Lines that are cut off are passed over.
+/// `is_cut`: the file does not end in a line's end.
+std::map<std::string, Row> rows_in(const std::filesystem::path& file, bool* is_cut = nullptr);
 
 }  // namespace lentray::batch

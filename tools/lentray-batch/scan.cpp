@@ -3,12 +3,12 @@
 #include <unistd.h>
 #include <algorithm>
 
-#include <cctype>
 #include <fstream>
 #include <set>
 #include <sstream>
 
 #include "parser/options/ini.h"
+#include "tools/common/scene_scanner.h"
 
 namespace lentray::batch {
 
@@ -34,65 +34,6 @@ std::string beginning(const fs::path& path) {
   text.resize(static_cast<std::size_t>(file.gcount()));
   return text;
 }
-
-/// Steps through a text, comments and strings apart.
-class Words {
- public:
-  explicit Words(std::string_view text) : m_text(text) {}
-
-  /// The next word ("#" belongs to it) or string (with its first quote); empty at the end.
-  std::string_view next() {
-    for (; m_at < m_text.size(); ++m_at) {
-      if (skip_comment()) continue;
-      const char c = m_text[m_at];
-      if (c == '"') return string();
-      if (is_letter(c) || c == '#') return word();
-    }
-    return {};
-  }
-
- private:
-  static bool is_letter(char c) {
-    return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_';
-  }
-  bool starts(std::string_view what) const { return m_text.substr(m_at).starts_with(what); }
-
-  /// At its last character if there was one.
-  bool skip_comment() {
-    if (starts("//")) {
-      m_at = std::min(m_text.find('\n', m_at), m_text.size());
-      return true;
-    }
-    if (!starts("/*")) return false;
-    int depth = 0;
-    for (; m_at < m_text.size(); ++m_at) {
-      depth += starts("/*") ? 1 : starts("*/") ? -1 : 0;
-      if (starts("/*") || starts("*/")) ++m_at;
-      if (depth == 0) break;
-    }
-    return true;
-  }
-  std::string_view string() {
-    const std::size_t begin = m_at;
-    for (++m_at; m_at < m_text.size() && m_text[m_at] != '"'; ++m_at) {
-      if (m_text[m_at] == '\\') ++m_at;
-    }
-    const std::size_t end = std::min(m_at, m_text.size());
-    m_at = end + 1;
-    return m_text.substr(begin, end - begin);
-  }
-  std::string_view word() {
-    const std::size_t begin = m_at++;
-    while (m_text[begin] == '#' && m_at < m_text.size() &&
-           (m_text[m_at] == ' ' || m_text[m_at] == '\t'))
-      ++m_at;
-    while (m_at < m_text.size() && is_letter(m_text[m_at])) ++m_at;
-    return m_text.substr(begin, m_at - begin);
-  }
-
-  std::string_view m_text;
-  std::size_t m_at = 0;
-};
 
 class Scanner {
  public:
@@ -208,13 +149,11 @@ class Scanner {
 
 SceneText look_at(std::string_view text) {
   SceneText out;
-  Words words(text);
-  bool after_include = false;
-  for (std::string_view word = words.next(); !word.empty(); word = words.next()) {
-    if (after_include && word[0] == '"') out.includes.emplace_back(word.substr(1));
-    // #include, # include, and without the # in old scenes.
-    after_include = word.ends_with("include");
+  tool::SceneScanner scanner(text);
+  for (auto word = scanner.next(); !word.empty(); word = scanner.next()) {
     out.has_camera = out.has_camera || word == "camera";
+    if (word != "include") continue;  // old scenes have it without the #
+    if (const auto name = scanner.next_string(); !name.empty()) out.includes.emplace_back(name);
   }
   return out;
 }

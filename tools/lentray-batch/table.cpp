@@ -1,17 +1,14 @@
 #include "tools/lentray-batch/table.h"
 
 #include <algorithm>
-#include <array>
 #include <map>
 #include <utility>
 
 #include "tools/common/formed.h"
+#include "tools/lentray-batch/page_cards.h"
 
 namespace lentray::batch {
 namespace {
-
-constexpr std::array<std::string_view, 6> kGradeOrder{"exact", "match",   "noise",
-                                                      "close", "differs", "fails"};
 
 std::string number(const char* how, double value) { return tool::formed(how, value); }
 
@@ -78,8 +75,7 @@ std::string table(const std::vector<Row>& rows, const std::string& command,
       " are compared; the others (named at the end) are parts of a scene, or stock has no\npicture "
       "of them.\n";
   std::vector<std::pair<std::string, int>> list;
-  for (const std::string_view grade : kGradeOrder)
-    list.emplace_back(grade, grades[std::string(grade)]);
+  for (const std::string_view grade : kGrades) list.emplace_back(grade, grades[std::string(grade)]);
   out += counts(list, "grade");
   list.assign(lacking.begin(), lacking.end());
   std::ranges::stable_sort(list, std::greater(), &std::pair<std::string, int>::second);

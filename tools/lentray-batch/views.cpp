@@ -4,7 +4,9 @@
 #include <cmath>
 #include <cstdio>
 #include <exception>
+#include <numeric>
 
+#include "core/image/orientation.h"
 #include "core/image/thumbnail.h"
 
 namespace lentray::batch {
@@ -17,22 +19,9 @@ std::uint32_t view_count(double lens_pixels) {
 
 core::StoredImage view_of(const core::StoredImage& integral, double lens_pixels,
                           std::uint32_t view) {
-  const std::vector<std::uint32_t> columns = core::view_columns(integral.width, lens_pixels, view);
-  core::StoredImage out;
-  out.width = static_cast<std::uint32_t>(columns.size());
-  out.height = integral.height;
-  out.channels = integral.channels;
-  out.bits = integral.bits;
-  out.gamma = integral.gamma;
-  out.samples.assign(std::size_t{out.width} * out.height * static_cast<std::size_t>(out.channels),
-                     0.0f);
-  for (std::uint32_t lens = 0; lens < out.width; ++lens) {
-    for (std::uint32_t row = 0; row < out.height; ++row) {
-      for (int c = 0; c < out.channels; ++c)
-        out.at(lens, row, c) = integral.at(columns[lens], row, c);
-    }
-  }
-  return out;
+  std::vector<std::uint32_t> rows(integral.height);
+  std::iota(rows.begin(), rows.end(), 0u);
+  return core::rearranged(integral, core::view_columns(integral.width, lens_pixels, view), rows);
 }
 
 std::vector<std::string> view_names(const std::string& picture, double lens_pixels) {

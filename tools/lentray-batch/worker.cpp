@@ -51,7 +51,7 @@ void share_of_node(Plan& plan) {
 }
 
 void append(const fs::path& file, const Row& row) {
-  const std::string line = tool::json_text(to_json(row)) + "\n";
+  const std::string line = tool::json_text(json_of(row)) + "\n";
   const int out = ::open(file.c_str(), O_WRONLY | O_CREAT | O_APPEND | O_CLOEXEC, 0666);
   const bool is_written =
       out >= 0 && ::write(out, line.data(), line.size()) == static_cast<ssize_t>(line.size());

@@ -26,12 +26,6 @@ double duration(const GivenOption& given) {
   return *seconds;
 }
 
-fs::path place(const GivenOption& given, const char* what) {
-  if (given.value.empty())
-    parser::refuse(given, std::string("the name of a ") + what + " is expected");
-  return given.value;
-}
-
 std::vector<Kind> kinds(const GivenOption& given) {
   std::vector<Kind> out;
   std::istringstream words(given.value);
@@ -49,28 +43,30 @@ std::vector<Kind> kinds(const GivenOption& given) {
   return out;
 }
 
-using Apply = void (*)(Arguments&, const GivenOption&);
-
-constexpr std::string_view kNames[] = {"Out",  "Repeats",         "Budget",  "Error",
-                                       "Only", "Reference_Limit", "Lentray", "Povray"};
-constexpr Apply kApply[] = {
-    [](Arguments& a, const GivenOption& g) { a.out = place(g, "folder"); },
-    [](Arguments& a, const GivenOption& g) {
-      a.repeats = static_cast<int>(parser::whole_number(g, 1, 1000));
-    },
-    [](Arguments& a, const GivenOption& g) { a.budget = duration(g); },
-    [](Arguments& a, const GivenOption& g) {
-      a.error = parser::number(g);
-      if (!(*a.error >= 0.0) || !std::isfinite(*a.error)) {
-        parser::refuse(g, "an error in 1/255 is expected, 0 or more");
-      }
-    },
-    [](Arguments& a, const GivenOption& g) { a.only = kinds(g); },
-    [](Arguments& a, const GivenOption& g) { a.reference_limit = duration(g); },
-    [](Arguments& a, const GivenOption& g) { a.lentray = fs::absolute(place(g, "program")); },
-    [](Arguments& a, const GivenOption& g) { a.povray = place(g, "program").string(); },
+constexpr parser::OwnOption<Arguments> kOptions[] = {
+    {"Out", [](Arguments& a, const GivenOption& g) { a.out = parser::file_name(g, "folder"); }},
+    {"Repeats",
+     [](Arguments& a, const GivenOption& g) {
+       a.repeats = static_cast<int>(parser::whole_number(g, 1, 1000));
+     }},
+    {"Budget", [](Arguments& a, const GivenOption& g) { a.budget = duration(g); }},
+    {"Error",
+     [](Arguments& a, const GivenOption& g) {
+       a.error = parser::number(g);
+       if (!(*a.error >= 0.0) || !std::isfinite(*a.error)) {
+         parser::refuse(g, "an error in 1/255 is expected, 0 or more");
+       }
+     }},
+    {"Only", [](Arguments& a, const GivenOption& g) { a.only = kinds(g); }},
+    {"Reference_Limit",
+     [](Arguments& a, const GivenOption& g) { a.reference_limit = duration(g); }},
+    {"Lentray",
+     [](Arguments& a, const GivenOption& g) {
+       a.lentray = fs::absolute(parser::file_name(g, "program"));
+     }},
+    {"Povray", [](Arguments& a,
+                  const GivenOption& g) { a.povray = parser::file_name(g, "program").string(); }},
 };
-static_assert(std::size(kNames) == std::size(kApply));
 
 /// What the chart decides of every picture.
 constexpr std::array kOurs{"Input_File_Name",   "Output_File_Name", "Output_To_File",
@@ -141,8 +137,8 @@ Arguments parse_arguments(const std::vector<std::string>& words) {
       arguments.with_stock = false;
     } else if (word == "--quick") {
       arguments.quick = true;
-    } else if (const auto own = parser::own_option(words, i, kNames)) {
-      kApply[own->index](arguments, own->given);
+    } else if (parser::take_own_option(words, i, kOptions, arguments)) {
+      continue;
     } else if (word.starts_with("--")) {
       throw OptionError("unknown option '" + word + "'; --help lists all");
     } else if (is_switch(word) || word.find('=') != std::string::npos || is_ini(word)) {

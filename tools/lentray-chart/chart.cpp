@@ -1,44 +1,34 @@
 #include "tools/lentray-chart/chart.h"
 
 #include <algorithm>
+#include <iterator>
 
+#include "tools/common/repeats.h"
 namespace lentray::chart {
 
-const char* name_of(Kind kind) {
-  switch (kind) {
-    case Kind::lens_model: return "lens_model";
-    case Kind::antialiasing: return "antialiasing";
-    case Kind::area_light: return "area_light";
-    case Kind::focal_blur: return "focal_blur";
-    case Kind::media: return "media";
-    case Kind::radiosity: return "radiosity";
-    case Kind::photons: return "photons";
-    case Kind::subsurface: return "subsurface";
-    case Kind::depth: return "depth";
-    case Kind::quality: return "quality";
-    case Kind::combined: return "combined";
-    case Kind::exact: break;
-  }
-  return "exact";
-}
+namespace {
+
+/// In the order of Kind.
+constexpr const char* kKindNames[] = {"lens_model", "antialiasing", "area_light", "focal_blur",
+                                      "media",      "radiosity",    "photons",    "subsurface",
+                                      "depth",      "quality",      "combined",   "exact"};
+static_assert(std::size(kKindNames) == std::size(kKinds));
+
+}  // namespace
+
+const char* name_of(Kind kind) { return kKindNames[static_cast<std::size_t>(kind)]; }
 
 std::optional<Kind> kind_named(std::string_view name) {
-  for (const Kind kind : {Kind::lens_model, Kind::antialiasing, Kind::area_light, Kind::focal_blur,
-                          Kind::media, Kind::radiosity, Kind::photons, Kind::subsurface,
-                          Kind::depth, Kind::quality, Kind::combined, Kind::exact}) {
-    if (name == name_of(kind)) return kind;
-  }
-  return std::nullopt;
+  const auto* const at =
+      std::ranges::find(kKinds, name, [](Kind kind) { return std::string_view(name_of(kind)); });
+  return at == std::end(kKinds) ? std::nullopt : std::optional(*at);
 }
 
-double Point::seconds() const {
-  if (cpu_s.empty()) return 0.0;
-  std::vector<double> sorted = cpu_s;
-  std::ranges::sort(sorted);
-  const std::size_t n = sorted.size();
-  return n % 2 == 1 ? sorted[n / 2] : 0.5 * (sorted[n / 2 - 1] + sorted[n / 2]);
+const char* name_of(State state) {
+  return state == State::done ? "done" : state == State::failed ? "failed" : "waiting";
 }
 
+double Point::seconds() const { return tool::median_of(cpu_s); }
 double Point::least() const { return cpu_s.empty() ? 0.0 : std::ranges::min(cpu_s); }
 double Point::most() const { return cpu_s.empty() ? 0.0 : std::ranges::max(cpu_s); }
 

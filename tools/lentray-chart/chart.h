@@ -27,6 +27,10 @@ enum class Kind {
   combined,      ///< several of those at once
   exact          ///< orders, caches, accelerators, light buffers, paths: the picture stays as it is
 };
+inline constexpr Kind kKinds[] = {Kind::lens_model, Kind::antialiasing, Kind::area_light,
+                                  Kind::focal_blur, Kind::media,        Kind::radiosity,
+                                  Kind::photons,    Kind::subsurface,   Kind::depth,
+                                  Kind::quality,    Kind::combined,     Kind::exact};
 const char* name_of(Kind kind);
 std::optional<Kind> kind_named(std::string_view name);
 
@@ -49,6 +53,7 @@ struct Error {
 };
 
 enum class State { waiting, done, failed };
+const char* name_of(State state);
 
 struct Point {
   Setting setting;
@@ -72,6 +77,8 @@ struct Point {
   std::string dominated_by{};  ///< id of the fastest setting that is better in both
   std::string command{};       ///< to render so, for a shell
 
+  /// It has a time and an error.
+  bool is_known() const { return state == State::done && error && !cpu_s.empty(); }
   double seconds() const;  ///< median; 0 where nothing was timed
   double least() const, most() const;
 };

@@ -29,12 +29,7 @@ core::StoredImage difference_of(const core::StoredImage& a, const core::StoredIm
   if (a.width != b.width || a.height != b.height) {
     throw std::invalid_argument("the pictures differ in size");
   }
-  core::StoredImage out;
-  out.width = a.width;
-  out.height = a.height;
-  out.channels = 3;
-  out.bits = 8;
-  out.samples.store<std::uint8_t>(std::size_t{3} * a.width * a.height);
+  core::StoredImage out = core::black_rgb(a.width, a.height, 8);
   for (std::uint32_t row = 0; row < a.height; ++row) {
     for (std::uint32_t column = 0; column < a.width; ++column) {
       const auto p = core::level(a, column, row), q = core::level(b, column, row);

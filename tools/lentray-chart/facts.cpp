@@ -1,20 +1,15 @@
 #include "tools/lentray-chart/facts.h"
 
 #include <algorithm>
-#include <cctype>
 #include <cstdio>
 #include <cstdlib>
 #include <set>
 #include <sstream>
 
+#include "core/base/lower_case.h"
+
 namespace lentray::chart {
 namespace {
-
-std::string small(std::string text) {
-  std::ranges::transform(text, text.begin(),
-                         [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return text;
-}
 
 std::string trimmed(const std::string& text) {
   const std::size_t first = text.find_first_not_of(" \t\n");
@@ -83,19 +78,22 @@ Abilities::Abilities(const std::string& help) {
       const std::size_t equals = word.find('=');
       if (equals == std::string::npos || equals == 0) continue;
       while (!word.empty() && word.back() == ',') word.pop_back();
-      m_forms.try_emplace(small(word.substr(0, equals)), small(word.substr(equals + 1)));
+      m_forms.try_emplace(core::lower_case(word.substr(0, equals)),
+                          core::lower_case(word.substr(equals + 1)));
     }
   }
 }
 
-bool Abilities::has(const std::string& name) const { return m_forms.contains(small(name)); }
+bool Abilities::has(const std::string& name) const {
+  return m_forms.contains(core::lower_case(name));
+}
 
 bool Abilities::has(const std::string& name, const std::string& value) const {
-  const auto form = m_forms.find(small(name));
+  const auto form = m_forms.find(core::lower_case(name));
   if (form == m_forms.end()) return false;
   std::istringstream values(form->second);
   for (std::string word; std::getline(values, word, '|');) {
-    if (word == small(value)) return true;
+    if (word == core::lower_case(value)) return true;
   }
   return false;
 }

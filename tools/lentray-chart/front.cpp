@@ -6,12 +6,11 @@
 
 #include "tools/common/duration.h"
 #include "tools/common/formed.h"
+#include "tools/common/repeats.h"
 #include "tools/common/shell_words.h"
 
 namespace lentray::chart {
 namespace {
-
-bool is_known(const Point& p) { return p.state == State::done && p.error && !p.cpu_s.empty(); }
 
 /// Exact settings have the plain one's error, and differ from it in time alone.
 bool is_exact(const Point& p) { return p.setting.kind == Kind::exact && !p.setting.is_plain; }
@@ -35,7 +34,7 @@ const Point* dominator(const Chart& chart, const Point& p) {
     return !(q.seconds() < p.seconds() && q.error->rms < p.error->rms);
   };
   for (const Point& q : chart.points) {
-    if (&q == &p || !is_known(q) || !shares_a_front(q, p) || !dominates(q, p)) continue;
+    if (&q == &p || !q.is_known() || !shares_a_front(q, p) || !dominates(q, p)) continue;
     const auto key = [&](const Point& x) { return std::tuple(rank(x), x.seconds(), x.error->rms); };
     if (best == nullptr || key(q) < key(*best)) best = &q;
   }
@@ -49,7 +48,7 @@ std::vector<const Point*> candidates(const Chart& chart) {
   std::vector<const Point*> out;
   for (const bool exact : {false, true}) {
     for (const Point& p : chart.points) {
-      if (is_known(p) && p.setting.kind != Kind::lens_model && is_exact(p) == exact) {
+      if (p.is_known() && p.setting.kind != Kind::lens_model && is_exact(p) == exact) {
         out.push_back(&p);
       }
     }
@@ -67,15 +66,11 @@ void derive(Chart& chart) {
     p.command = chart.command;
     if (!options.empty()) p.command += " " + tool::shell_command(options);
     p.stock_cpu_s.reset();
-    if (!p.stock_runs.empty()) {
-      Point stock;
-      stock.cpu_s = p.stock_runs;
-      p.stock_cpu_s = stock.seconds();
-    }
+    if (!p.stock_runs.empty()) p.stock_cpu_s = tool::median_of(p.stock_runs);
     p.told_apart = true;
     p.on_front = false;
     p.dominated_by.clear();
-    if (!is_known(p)) continue;
+    if (!p.is_known()) continue;
     const bool is_lens = p.setting.kind == Kind::lens_model && chart.lens_reference;
     const Reference& reference = is_lens ? *chart.lens_reference : chart.reference;
     p.told_apart = p.error->rms >= 10.0 * reference.change;

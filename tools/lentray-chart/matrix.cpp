@@ -271,13 +271,11 @@ class Matrix {
   std::vector<Setting> m_out;
 };
 
-bool is_known(const Point& p) { return p.state == State::done && p.error && !p.cpu_s.empty(); }
-
 /// The fastest, the least error, and the one in the middle of the front between them.
 std::vector<const Point*> levels_of(const std::vector<Point>& points, Kind kind) {
   std::vector<const Point*> of_kind;
   for (const Point& p : points) {
-    if (p.setting.kind == kind && is_known(p)) of_kind.push_back(&p);
+    if (p.setting.kind == kind && p.is_known()) of_kind.push_back(&p);
   }
   std::ranges::stable_sort(of_kind, {}, [](const Point* p) { return p->seconds(); });
   std::vector<const Point*> front;

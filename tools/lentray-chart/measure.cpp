@@ -10,6 +10,7 @@
 #include "tools/common/duration.h"
 #include "tools/common/json_text.h"
 #include "tools/common/process.h"
+#include "tools/common/repeats.h"
 
 namespace lentray::chart {
 
@@ -36,9 +37,8 @@ bool stock_is_due(const Session& session, const Point& p, std::size_t round) {
   if (chart.stock.empty() || chart.is_sheet || !stock_has(p.setting)) return false;
   if (p.state != State::done || p.stock_runs.size() > round) return false;
   if (round == 0) return true;
-  Point stock;
-  stock.cpu_s = p.stock_runs;
-  return static_cast<int>(round) < repeats_for(stock.seconds(), session.arguments.repeats) &&
+  return static_cast<int>(round) <
+             repeats_for(tool::median_of(p.stock_runs), session.arguments.repeats) &&
          p.stock_runs.size() == round;
 }
 

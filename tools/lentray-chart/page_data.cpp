@@ -3,6 +3,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "tools/common/json_fields.h"
 #include "tools/common/page_text.h"
 #include "tools/lentray-chart/charts.h"
 
@@ -10,13 +11,8 @@ namespace lentray::chart {
 namespace {
 
 using nlohmann::json;
-
+using tool::put;
 constexpr std::size_t kMostText = 4000;  ///< bytes of a reason or a command
-
-template <typename T>
-void put(json& out, const char* name, const T& value) {
-  if (value != T{}) out[name] = value;
-}
 
 /// JSON has no infinity, and four digits are enough.
 void put_number(json& out, const char* name, double value) {
@@ -45,15 +41,11 @@ void put_link(json& out, const char* name, const std::string& file, const PageOp
   if (!file.empty()) out[name] = tool::link_to(file, options.folder);
 }
 
-const char* name_of(State state) {
-  return state == State::done ? "done" : state == State::failed ? "failed" : "waiting";
-}
-
 json point_data(const Chart& chart, const Point& p, const PointPictures& pictures,
                 const PageOptions& options) {
   json out{{"id", p.setting.id},
            {"label", tool::cut_text(p.setting.label, kMostText)},
-           {"kind", chart::name_of(p.setting.kind)},
+           {"kind", name_of(p.setting.kind)},
            {"state", name_of(p.state)},
            {"options", p.setting.options}};
   put(out, "plain", p.setting.is_plain);
@@ -88,8 +80,7 @@ json point_data(const Chart& chart, const Point& p, const PointPictures& picture
 }  // namespace
 
 bool can_be_chosen(const Point& p) {
-  return p.state == State::done && !p.cpu_s.empty() && p.error && std::isfinite(p.error->rms) &&
-         p.setting.kind != Kind::lens_model;
+  return p.is_known() && std::isfinite(p.error->rms) && p.setting.kind != Kind::lens_model;
 }
 
 json page_data(const Chart& chart, const PageOptions& options, const PagePictures& pictures) {

@@ -14,10 +14,6 @@ namespace {
 
 using tool::html_text;
 
-constexpr Kind kKinds[] = {Kind::lens_model, Kind::antialiasing, Kind::area_light, Kind::focal_blur,
-                           Kind::media,      Kind::radiosity,    Kind::photons,    Kind::subsurface,
-                           Kind::depth,      Kind::quality,      Kind::combined,   Kind::exact};
-
 /// Three digits, and never an exponent that hides what it is.
 std::string figure(double value) {
   if (!std::isfinite(value)) return "–";

@@ -12,15 +12,6 @@ namespace {
 
 std::string number(double value) { return tool::formed("%.6g", value); }
 
-const char* name_of(State state) {
-  switch (state) {
-    case State::done: return "done";
-    case State::failed: return "failed";
-    case State::waiting: break;
-  }
-  return "waiting";
-}
-
 /// rms, psnr, share, largest
 std::string figures(const std::optional<Error>& e) {
   if (!e) return ",,,";
@@ -31,7 +22,7 @@ std::string row(const Point& p) {
   const auto yes = [](bool value) { return std::string(value ? "yes" : "no"); };
   std::string out;
   for (const std::string& text :
-       {p.setting.id, std::string(chart::name_of(p.setting.kind)), p.setting.label,
+       {p.setting.id, std::string(name_of(p.setting.kind)), p.setting.label,
         tool::shell_command(p.setting.options), std::string(name_of(p.state)), p.reason}) {
     out += tool::csv_field(text) + ",";
   }

@@ -9,6 +9,7 @@
 #include <map>
 #include <thread>
 
+#include "core/base/lower_case.h"
 #include "parser/options/ini.h"
 
 namespace lentray::diff {
@@ -17,12 +18,6 @@ namespace fs = std::filesystem;
 using parser::OptionError;
 
 namespace {
-
-std::string lower(std::string text) {
-  std::transform(text.begin(), text.end(), text.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return text;
-}
 
 double positive_number(const std::string& option, const std::string& text) {
   char* end = nullptr;
@@ -102,7 +97,7 @@ class Parsing {
   }
 
   void grade(const std::string& name) {
-    const auto grade = core::grade_named(lower(name));
+    const auto grade = core::grade_named(core::lower_case(name));
     if (!grade || *grade == core::Grade::fails) {
       throw OptionError("--grade: '" + name + "'; there are exact, match, noise, close");
     }
@@ -112,7 +107,7 @@ class Parsing {
   void noise(const std::string& value) {
     const std::map<std::string, AskNoise> words{
         {"auto", AskNoise::where_it_is}, {"on", AskNoise::always}, {"off", AskNoise::never}};
-    const auto found = words.find(lower(value));
+    const auto found = words.find(core::lower_case(value));
     if (found == words.end())
       throw OptionError("--noise: '" + value + "'; there are auto, on, off");
     m_out.noise = found->second;
@@ -146,7 +141,7 @@ class Parsing {
 
   /// Input and output are ours to say.
   static bool is_place(const std::string& word) {
-    const std::string name = lower(word.substr(0, word.find('=')));
+    const std::string name = core::lower_case(word.substr(0, word.find('=')));
     if (word[0] == '+' || word[0] == '-')
       return name.size() > 1 && (name[1] == 'i' || name[1] == 'o');
     return name == "input_file_name" || name == "output_file_name" || name == "output_to_file";
@@ -158,12 +153,12 @@ class Parsing {
     if (letter == 'i' && !value.empty()) m_out.scene = value;
     if (letter == 'o' && !value.empty()) set_prefix(value);
     if (letter == 'l') m_out.stock.library_paths.push_back((folder / value).lexically_normal());
-    const std::string two = lower(word.substr(1, 2));
+    const std::string two = core::lower_case(word.substr(1, 2));
     const bool clock = letter == 'k' && !value.empty() &&
                        (std::isdigit(static_cast<unsigned char>(value[0])) || value[0] == '.' ||
                         value[0] == '-' || value[0] == '+');
     const bool frames = two == "kf" || two == "ki" || two == "kc" || two == "sf" || two == "ef" ||
-                        lower(word.substr(1)).starts_with("stp");
+                        core::lower_case(word.substr(1)).starts_with("stp");
     if (letter == 'q' || two == "mv" || two == "ua" || clock || frames)
       m_out.stock.arguments.push_back(word);
   }
@@ -183,7 +178,7 @@ class Parsing {
                                               "subset_end_frame",
                                               "frame_step",
                                               "cyclic_animation"};
-    const std::string key = lower(name);
+    const std::string key = core::lower_case(name);
     if (key == "input_file_name") m_out.scene = value;
     if (key == "output_file_name") set_prefix(value);
     if (key == "library_path") {
@@ -198,7 +193,7 @@ class Parsing {
   }
 
   void on_file(const std::string& word) {
-    const std::string extension = lower(fs::path(word).extension().string());
+    const std::string extension = core::lower_case(fs::path(word).extension().string());
     if (extension.rfind(".ini", 0) == 0) {
       m_out.for_lentray.push_back(word);
       return on_ini(word, 0);

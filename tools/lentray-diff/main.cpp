@@ -9,14 +9,15 @@
 
 #include "core/image/compare.h"
 #include "core/image/display.h"
-#include "core/image/file_swap.h"
 #include "core/image/reader.h"
 #include "core/image/run_files.h"
+#include "core/image/writer.h"
 #include "core/numeric/lens_columns.h"
 #include "parser/options/options.h"
 #include "tools/common/json_text.h"
 #include "tools/common/machine.h"
 #include "tools/common/process.h"
+#include "tools/common/sheet_facts.h"
 #include "tools/common/tool_main.h"
 #include "tools/lentray-diff/arguments.h"
 #include "tools/lentray-diff/noise.h"
@@ -186,10 +187,8 @@ Pair render_both(const Arguments& given) {
 
 /// Pixels a lens, as lentray wrote it into the file; 0 if it did not, or the picture is one view.
 double lens_pixels_in(const StoredImage& image) {
-  const auto found = image.attributes.find("lentray:lens.pixels");
-  if (found == image.attributes.end() || image.attributes.count("lentray:lens.view") != 0)
-    return 0.0;
-  const double pixels = std::strtod(found->second.c_str(), nullptr);
+  if (image.attributes.contains("lentray:lens.view")) return 0.0;
+  const double pixels = tool::number_of(image.attributes, "lentray:lens.pixels");
   return pixels >= 1.0 ? pixels : 0.0;
 }
 
@@ -309,9 +308,7 @@ int render_stock_alone(const Arguments& a) {
   const json all{{"scene", a.scene.string()},
                  {"stock_wall_s", taken.count()},
                  {"stock_cpu_s", tool::cpu_seconds_of_children()}};
-  core::FileSwap swap(a.json);
-  tool::write_text(swap.temporary(), tool::json_text(all, 2) + "\n");
-  swap.commit();
+  tool::write_whole(a.json, tool::json_text(all, 2) + "\n");
   return kReached;
 }
 
@@ -331,9 +328,7 @@ int compare_and_report(const Arguments& a) {
     all.update(about);
     all["asked"] = std::string(core::name_of(a.asked));
     all["reached"] = reached;
-    core::FileSwap swap(a.json);
-    tool::write_text(swap.temporary(), tool::json_text(all, 2) + "\n");
-    swap.commit();
+    tool::write_whole(a.json, tool::json_text(all, 2) + "\n");
   }
   std::cout << "grade " << core::name_of(result.whole.grade) << "; " << core::name_of(a.asked)
             << (reached ? " reached" : " NOT reached") << std::endl;

@@ -45,7 +45,7 @@ double Mean::working(float light) const {
 
 void Mean::add(std::uint32_t column, std::uint32_t row, const StoredImage& light,
                std::uint32_t light_column, std::uint32_t light_row) {
-  const bool has_alpha = light.channels == 2 || light.channels == 4;
+  const bool has_alpha = light.has_alpha();
   const float alpha = has_alpha ? light.at(light_column, light_row, light.channels - 1) : 1.0f;
   double* sum = &m_sums[(std::size_t{row} * m_width + column) * 4];
   for (int c = 0; c < 3; ++c) {
@@ -66,12 +66,7 @@ StoredImage Mean::picture(int samples, int bits) const {
     format.srgb = false;
     format.file_gamma = 1.0;
   }
-  StoredImage out;
-  out.width = m_width;
-  out.height = m_height;
-  out.channels = 3;
-  out.bits = bits;
-  out.samples.assign(std::size_t{3} * m_width * m_height, 0.0f);
+  StoredImage out = core::black_rgb(m_width, m_height, bits);
   std::size_t to = 0;
   for (std::size_t i = 0; i < m_sums.size(); i += 4) {
     const double weight = m_spaces.alpha ? std::max(m_sums[i + 3], 1e-30) : samples;

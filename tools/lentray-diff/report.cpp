@@ -17,16 +17,6 @@ using core::StoredImage;
 
 namespace {
 
-StoredImage canvas(std::uint32_t width, std::uint32_t height) {
-  StoredImage image;
-  image.width = width;
-  image.height = height;
-  image.channels = 3;
-  image.bits = 8;
-  image.samples.assign(std::size_t{3} * width * height, 0.0f);
-  return image;
-}
-
 std::array<double, 3> heat_colour(double difference) {
   static constexpr std::array<std::array<double, 4>, 6> stops{{{0, 0, 0, 0},
                                                                {1, 0, 0, 160},
@@ -125,7 +115,7 @@ nlohmann::json to_json(const std::vector<Comparison>& parts) {
 }  // namespace
 
 StoredImage heat_map(const StoredImage& a, const StoredImage& b) {
-  StoredImage image = canvas(a.width, a.height);
+  StoredImage image = core::black_rgb(a.width, a.height, 8);
   for (std::uint32_t y = 0; y < a.height; ++y) {
     for (std::uint32_t x = 0; x < a.width; ++x) {
       put(image, x, y, heat_colour(core::pixel_difference(a, b, x, y)));
@@ -136,7 +126,7 @@ StoredImage heat_map(const StoredImage& a, const StoredImage& b) {
 
 StoredImage side_by_side(const StoredImage& ours, const StoredImage& stock) {
   constexpr std::uint32_t gap = 4;
-  StoredImage image = canvas(3 * ours.width + 2 * gap, ours.height);
+  StoredImage image = core::black_rgb(3 * ours.width + 2 * gap, ours.height, 8);
   image.samples.assign(image.samples.size(), 255.0f);
   for (std::uint32_t y = 0; y < ours.height; ++y) {
     for (std::uint32_t x = 0; x < ours.width; ++x) {

@@ -14,16 +14,6 @@ using core::StoredImage;
 
 namespace {
 
-StoredImage black(std::uint32_t width, std::uint32_t height, int bits) {
-  StoredImage image;
-  image.width = width;
-  image.height = height;
-  image.channels = 3;
-  image.bits = bits;
-  image.samples.assign(std::size_t{3} * width * height, 0.0f);
-  return image;
-}
-
 StoredImage mesh_integral(Workshop& shop, const Sheet& sheet, const StockOptions& options) {
   const bool lag = mesh_rows_lag(options);
   const StoredImage rendered =
@@ -34,7 +24,8 @@ StoredImage mesh_integral(Workshop& shop, const Sheet& sheet, const StockOptions
 /// One picture a view.
 StoredImage plain_view(const Workshop& shop, const Included& scene, const Sheet& sheet,
                        std::uint32_t view, Way way, const StockOptions& options) {
-  if (is_dark(sheet, view, way)) return black(sheet.view_width(view), sheet.rows, options.bits);
+  if (is_dark(sheet, view, way))
+    return core::black_rgb(sheet.view_width(view), sheet.rows, options.bits);
   return shop.render_text("view" + std::to_string(view), view_scene(sheet, view, way, scene),
                           {.width = sheet.view_width(view),
                            .height = sheet.rows,
@@ -53,7 +44,7 @@ StoredImage plain_views(Workshop& shop, const Sheet& sheet, Way way, const Stock
 /// View j of an integral image.
 StoredImage view_of(const StoredImage& integral, const Sheet& sheet, std::uint32_t view) {
   if (!sheet.has_views()) throw std::runtime_error("a sheet of fractional N has no views");
-  StoredImage image = black(sheet.view_width(view), sheet.rows, integral.bits);
+  StoredImage image = core::black_rgb(sheet.view_width(view), sheet.rows, integral.bits);
   for (std::uint32_t r = 0; r < image.height; ++r) {
     for (std::uint32_t i = 0; i < image.width; ++i) {
       for (int c = 0; c < 3; ++c) image.at(i, r, c) = integral.at(i * sheet.views() + view, r, c);
@@ -110,7 +101,7 @@ void write_wrappers(const fs::path& scene, const Sheet& sheet, const fs::path& f
 
 StoredImage interlaced(const std::vector<StoredImage>& views, std::uint32_t columns) {
   if (views.empty()) throw std::invalid_argument("no views to interlace");
-  StoredImage image = black(columns, views[0].height, views[0].bits);
+  StoredImage image = core::black_rgb(columns, views[0].height, views[0].bits);
   const auto count = static_cast<std::uint32_t>(views.size());
   for (std::uint32_t r = 0; r < image.height; ++r) {
     for (std::uint32_t k = 0; k < columns; ++k) {

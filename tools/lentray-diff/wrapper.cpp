@@ -1,16 +1,18 @@
 #include "tools/lentray-diff/wrapper.h"
 
-#include <cctype>
 #include <cmath>
 #include <sstream>
 #include <stdexcept>
+#include <string_view>
 
 #include "tools/common/formed.h"
+#include "tools/common/scene_scanner.h"
 
 namespace lentray::diff {
 
 using core::StoredImage;
 using core::Vec3;
+using tool::SceneScanner;
 
 namespace {
 
@@ -24,86 +26,17 @@ std::string head(const Included& scene) {
   return scene.version + "\n#include \"" + scene.path + "\"\n";
 }
 
-/// Steps over SDL text token by token, as far as needed to find words and braces.
-class Scanner {
- public:
-  explicit Scanner(const std::string& text) : m_text(text) {}
-
-  /// The next word or single character outside comments and strings; empty at the end.
-  std::string next() {
-    skip_unseen();
-    m_begin = m_at;
-    if (m_at >= m_text.size()) return {};
-    if (!is_word(m_text[m_at])) return std::string(1, m_text[m_at++]);
-    while (m_at < m_text.size() && is_word(m_text[m_at])) ++m_at;
-    return m_text.substr(m_begin, m_at - m_begin);
-  }
-  /// The text of a string that comes next; nothing if something else does.
-  std::string next_string() {
-    while (m_at < m_text.size() && std::isspace(static_cast<unsigned char>(m_text[m_at]))) ++m_at;
-    if (m_at >= m_text.size() || m_text[m_at] != '"') return {};
-    const std::size_t from = m_at + 1;
-    skip_string();
-    return m_text.substr(from, m_at - from - 1);
-  }
-  std::size_t begin() const { return m_begin; }  ///< of the last token
-  std::size_t end() const { return m_at; }
-
- private:
-  static bool is_word(char c) { return std::isalnum(static_cast<unsigned char>(c)) || c == '_'; }
-  bool sees(const char* two) const { return m_text.compare(m_at, 2, two) == 0; }
-
-  void skip_unseen() {
-    while (m_at < m_text.size()) {
-      if (std::isspace(static_cast<unsigned char>(m_text[m_at]))) {
-        ++m_at;
-      } else if (sees("//")) {
-        while (m_at < m_text.size() && m_text[m_at] != '\n') ++m_at;
-      } else if (sees("/*")) {
-        skip_block_comment();
-      } else if (m_text[m_at] == '"') {
-        skip_string();
-      } else {
-        return;
-      }
-    }
-  }
-  void skip_block_comment() {  // they nest
-    int depth = 0;
-    while (m_at < m_text.size()) {
-      if (sees("/*")) {
-        ++depth;
-        m_at += 2;
-      } else if (sees("*/")) {
-        m_at += 2;
-        if (--depth == 0) return;
-      } else {
-        ++m_at;
-      }
-    }
-  }
-  void skip_string() {
-    for (++m_at; m_at < m_text.size() && m_text[m_at] != '"'; ++m_at) {
-      if (m_text[m_at] == '\\') ++m_at;
-    }
-    if (m_at < m_text.size()) ++m_at;
-  }
-
-  const std::string& m_text;
-  std::size_t m_at = 0, m_begin = 0;
-};
-
 struct Block {
   std::size_t open = 0, close = 0;  ///< of the braces
   bool lenticular = false;
 };
 
 /// A camera's braces; the scanner stands behind the word `camera`. False if none follow.
-bool camera_block(Scanner& scanner, Block& block) {
+bool camera_block(SceneScanner& scanner, Block& block) {
   if (scanner.next() != "{") return false;
   block.open = scanner.begin();
   int depth = 1;
-  for (std::string token = scanner.next(); !token.empty(); token = scanner.next()) {
+  for (std::string_view token = scanner.next(); !token.empty(); token = scanner.next()) {
     if (token == "{") ++depth;
     if (token == "}" && --depth == 0) {
       block.close = scanner.begin();
@@ -147,8 +80,8 @@ Way best_way(const Sheet& s) {
 }
 
 std::string version_directive(const std::string& scene) {
-  Scanner scanner(scene);
-  for (std::string token = scanner.next(); !token.empty(); token = scanner.next()) {
+  SceneScanner scanner(scene);
+  for (std::string_view token = scanner.next(); !token.empty(); token = scanner.next()) {
     if (token != "#") continue;
     const std::size_t begin = scanner.begin();
     if (scanner.next() != "version") continue;
@@ -163,10 +96,10 @@ std::string version_directive(const std::string& scene) {
 
 std::vector<std::string> included_files(const std::string& scene) {
   std::vector<std::string> files;
-  Scanner scanner(scene);
-  for (std::string token = scanner.next(); !token.empty(); token = scanner.next()) {
+  SceneScanner scanner(scene);
+  for (std::string_view token = scanner.next(); !token.empty(); token = scanner.next()) {
     if (token != "#" || scanner.next() != "include") continue;
-    if (std::string name = scanner.next_string(); !name.empty()) files.push_back(std::move(name));
+    if (const auto name = scanner.next_string(); !name.empty()) files.emplace_back(name);
   }
   return files;
 }
@@ -174,9 +107,9 @@ std::vector<std::string> included_files(const std::string& scene) {
 std::string without_lenticular(const std::string& scene, bool& changed) {
   changed = false;
   std::string out = scene;
-  Scanner scanner(scene);
+  SceneScanner scanner(scene);
   std::size_t shift = 0;
-  for (std::string token = scanner.next(); !token.empty(); token = scanner.next()) {
+  for (std::string_view token = scanner.next(); !token.empty(); token = scanner.next()) {
     Block block;
     if (token != "camera" || !camera_block(scanner, block) || !block.lenticular) continue;
     std::string replacement = " orthographic ";
@@ -301,12 +234,7 @@ std::string mesh_scene(const Sheet& s, const Included& scene,
 }
 
 StoredImage mesh_picture(const StoredImage& rendered, const Sheet& s, bool lag) {
-  StoredImage image;
-  image.width = s.columns;
-  image.height = s.rows;
-  image.channels = 3;
-  image.bits = rendered.bits;
-  image.samples.assign(std::size_t{3} * s.columns * s.rows, 0.0f);
+  StoredImage image = core::black_rgb(s.columns, s.rows, rendered.bits);
   for (std::uint32_t k = 0; k < s.columns; ++k) {
     if (!s.slope(k)) continue;  // shows nothing
     for (std::uint32_t r = 0; r < s.rows; ++r) {

@@ -25,29 +25,20 @@ std::vector<std::string> names(const GivenOption& given) {
   return out;
 }
 
-std::filesystem::path place(const GivenOption& given) {
-  if (given.value.empty()) parser::refuse(given, "the name of a file is expected");
-  return given.value;
-}
-
-using Apply = void (*)(Arguments&, const GivenOption&);
-
-constexpr std::string_view kNames[] = {"Orders", "Caches", "Accelerators", "Sizes",  "Repeats",
-                                       "CSV",    "HTML",   "Gains",        "Lentray"};
-constexpr Apply kApply[] = {
-    [](Arguments& a, const GivenOption& g) { a.orders = names(g); },
-    [](Arguments& a, const GivenOption& g) { a.caches = names(g); },
-    [](Arguments& a, const GivenOption& g) { a.accelerators = names(g); },
-    [](Arguments& a, const GivenOption& g) { a.sizes = names(g); },
-    [](Arguments& a, const GivenOption& g) {
-      a.repeats = static_cast<int>(parser::whole_number(g, 0, 1000));
-    },
-    [](Arguments& a, const GivenOption& g) { a.csv = place(g); },
-    [](Arguments& a, const GivenOption& g) { a.html = place(g); },
-    [](Arguments& a, const GivenOption& g) { a.gains = place(g); },
-    [](Arguments& a, const GivenOption& g) { a.lentray = place(g); },
+constexpr parser::OwnOption<Arguments> kOptions[] = {
+    {"Orders", [](Arguments& a, const GivenOption& g) { a.orders = names(g); }},
+    {"Caches", [](Arguments& a, const GivenOption& g) { a.caches = names(g); }},
+    {"Accelerators", [](Arguments& a, const GivenOption& g) { a.accelerators = names(g); }},
+    {"Sizes", [](Arguments& a, const GivenOption& g) { a.sizes = names(g); }},
+    {"Repeats",
+     [](Arguments& a, const GivenOption& g) {
+       a.repeats = static_cast<int>(parser::whole_number(g, 0, 1000));
+     }},
+    {"CSV", [](Arguments& a, const GivenOption& g) { a.csv = parser::file_name(g); }},
+    {"HTML", [](Arguments& a, const GivenOption& g) { a.html = parser::file_name(g); }},
+    {"Gains", [](Arguments& a, const GivenOption& g) { a.gains = parser::file_name(g); }},
+    {"Lentray", [](Arguments& a, const GivenOption& g) { a.lentray = parser::file_name(g); }},
 };
-static_assert(std::size(kNames) == std::size(kApply));
 
 /// What this program says to lentray itself.
 void refuse_ours(const std::string& word) {
@@ -84,9 +75,8 @@ Arguments parse_arguments(const std::vector<std::string>& words) {
     const std::string& word = words[i];
     arguments.command += " " + word;
     refuse_ours(word);
-    if (const auto own = parser::own_option(words, i, kNames)) {
-      kApply[own->index](arguments, own->given);
-    } else if (word.rfind("--", 0) == 0) {
+    if (parser::take_own_option(words, i, kOptions, arguments)) continue;
+    if (word.rfind("--", 0) == 0) {
       throw OptionError("unknown option '" + word + "'; --help lists all");
     } else if (word[0] == '+' || word[0] == '-' || word.find('=') != std::string::npos ||
                word.find(".ini") != std::string::npos) {

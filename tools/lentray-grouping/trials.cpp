@@ -8,6 +8,7 @@
 
 #include "tools/common/json_text.h"
 #include "tools/common/process.h"
+#include "tools/common/repeats.h"
 
 namespace lentray::grouping {
 
@@ -94,13 +95,7 @@ std::vector<Trial> trials_of(const Arguments& arguments, const std::string& scen
 
 }  // namespace
 
-double Trial::median() const {
-  if (cpu_s.empty()) return 0.0;
-  std::vector<double> sorted = cpu_s;
-  std::sort(sorted.begin(), sorted.end());
-  const std::size_t n = sorted.size();
-  return n % 2 == 1 ? sorted[n / 2] : 0.5 * (sorted[n / 2 - 1] + sorted[n / 2]);
-}
+double Trial::median() const { return tool::median_of(cpu_s); }
 double Trial::least() const {
   return cpu_s.empty() ? 0.0 : *std::min_element(cpu_s.begin(), cpu_s.end());
 }

@@ -28,16 +28,10 @@ std::vector<Rows> list_of(const GivenOption& given) {
   return all;
 }
 
-constexpr std::string_view kNames[] = {"Out", "Rows"};
-
-void apply(Arguments& a, std::size_t index, const GivenOption& given) {
-  if (index == 0) {
-    if (given.value.empty()) parser::refuse(given, "the name of a file is expected");
-    a.out = given.value;
-  } else {
-    a.rows = list_of(given);
-  }
-}
+constexpr parser::OwnOption<Arguments> kOptions[] = {
+    {"Out", [](Arguments& a, const GivenOption& g) { a.out = parser::file_name(g); }},
+    {"Rows", [](Arguments& a, const GivenOption& g) { a.rows = list_of(g); }},
+};
 
 /// What the options can only be judged on together.
 void check(const Arguments& a) {
@@ -56,9 +50,8 @@ Arguments parse_arguments(const std::vector<std::string>& words) {
   Arguments arguments;
   for (std::size_t i = 0; i < words.size(); ++i) {
     const std::string& word = words[i];
-    if (const auto own = parser::own_option(words, i, kNames)) {
-      apply(arguments, own->index, own->given);
-    } else if (word.starts_with("-")) {
+    if (parser::take_own_option(words, i, kOptions, arguments)) continue;
+    if (word.starts_with("-")) {
       throw OptionError("unknown option '" + word.substr(0, word.find('=')) +
                         "'; there are --out --rows --help --version");
     } else {

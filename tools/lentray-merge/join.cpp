@@ -10,6 +10,7 @@
 #include "core/image/picture_encoder.h"
 #include "core/image/run_files.h"
 #include "core/image/writer.h"
+#include "parser/options/ini.h"
 #include "tools/lentray-merge/png_head.h"
 #include "tools/lentray-merge/png_rows.h"
 
@@ -146,10 +147,7 @@ class Joiner {
 }  // namespace
 
 void join(const std::vector<Part>& parts, const fs::path& out) {
-  std::string extension = out.extension().string();
-  std::ranges::transform(extension, extension.begin(),
-                         [](unsigned char c) { return std::tolower(c); });
-  if (extension != ".png" && out != "-")
+  if (!parser::same_word(out.extension().string(), ".png") && out != "-")
     throw ImageError("cannot write " + quoted(out) + ": parts are joined as .png");
   Joiner(parts, out).write();
 }

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <sstream>
 
+#include "core/base/lower_case.h"
 #include "parser/options/ini.h"
 #include "parser/options/own_option.h"
 #include "tools/lentray-model/figures.h"
@@ -19,12 +20,6 @@ namespace {
 constexpr double kMostValues = 1e5, kMostPoints = 1e6;
 constexpr std::int64_t kMostPixels = 1'000'000;  // a side
 
-std::string lower(std::string text) {
-  std::transform(text.begin(), text.end(), text.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return text;
-}
-
 std::vector<std::string> split(const std::string& text, char at) {
   std::vector<std::string> parts;
   std::istringstream in(text);
@@ -33,21 +28,15 @@ std::vector<std::string> split(const std::string& text, char at) {
   return parts;
 }
 
-GivenOption part_of(const GivenOption& given, const std::string& text) {
-  GivenOption part = given;
-  part.value = text;
-  return part;
-}
-
 Range range_of(const GivenOption& given, bool may_be_zero) {
   const std::vector<std::string> parts = split(given.value, ':');
   if (parts.empty() || parts.size() > 3) {
     parser::refuse(given, "first:last:step is expected, in mm");
   }
   Range range;
-  range.first = parser::number(part_of(given, parts[0]));
-  range.last = parts.size() > 1 ? parser::number(part_of(given, parts[1])) : range.first;
-  range.step = parts.size() > 2 ? parser::positive(part_of(given, parts[2])) : 1.0;
+  range.first = parser::number(parser::part_of(given, parts[0]));
+  range.last = parts.size() > 1 ? parser::number(parser::part_of(given, parts[1])) : range.first;
+  range.step = parts.size() > 2 ? parser::positive(parser::part_of(given, parts[2])) : 1.0;
   if (range.last < range.first) parser::refuse(given, "the last value is less than the first");
   if (may_be_zero ? range.first < 0.0 : range.first <= 0.0) {
     parser::refuse(given, may_be_zero ? "a distance of 0 mm or more is expected"
@@ -62,8 +51,8 @@ Range range_of(const GivenOption& given, bool may_be_zero) {
 std::vector<std::uint32_t> whole_numbers(const GivenOption& given) {
   std::vector<std::uint32_t> out;
   for (const std::string& part : split(given.value, ',')) {
-    out.push_back(
-        static_cast<std::uint32_t>(parser::whole_number(part_of(given, part), 1, kMostPixels)));
+    out.push_back(static_cast<std::uint32_t>(
+        parser::whole_number(parser::part_of(given, part), 1, kMostPixels)));
   }
   return out;
 }
@@ -72,7 +61,7 @@ std::vector<std::uint32_t> whole_numbers(const GivenOption& given) {
 std::size_t choice(const GivenOption& given, const std::vector<std::string>& choices) {
   std::string known;
   for (std::size_t i = 0; i < choices.size(); ++i) {
-    if (lower(given.value) == choices[i]) return i;
+    if (core::lower_case(given.value) == choices[i]) return i;
     known += (i > 0 ? ", " : "") + choices[i];
   }
   parser::refuse(given, "there are " + known);
@@ -81,11 +70,11 @@ std::size_t choice(const GivenOption& given, const std::vector<std::string>& cho
 void set_figures(Arguments& a, const GivenOption& given) {
   a.figures.clear();
   for (const std::string& part : split(given.value, ',')) {
-    if (lower(part) == "all") {
+    if (core::lower_case(part) == "all") {
       a.figures = figure_names();
       return;
     }
-    a.figures.push_back(figure_names()[choice(part_of(given, part), figure_names())]);
+    a.figures.push_back(figure_names()[choice(parser::part_of(given, part), figure_names())]);
   }
 }
 
@@ -117,70 +106,38 @@ std::uint32_t count(const GivenOption& g) {
   return static_cast<std::uint32_t>(parser::whole_number(g, 1, kMostPixels));
 }
 
-std::filesystem::path place(const GivenOption& g) {
-  if (g.value.empty()) parser::refuse(g, "the name of a file is expected");
-  return g.value;
-}
-
-using Apply = void (*)(Arguments&, const GivenOption&);
-
-constexpr std::string_view kNames[] = {"Lens_Pitch",
-                                       "Lens_LPI",
-                                       "Lens_Focal_Length",
-                                       "Lens_IOR",
-                                       "Lens_Pixels",
-                                       "Lens_Model",
-                                       "Lenses",
-                                       "Rows",
-                                       "A",
-                                       "D",
-                                       "Xstart",
-                                       "Ystart",
-                                       "Slice_A",
-                                       "Slice_D",
-                                       "Strip_Width",
-                                       "Strip_Height",
-                                       "Alpha",
-                                       "CSV",
-                                       "Deviations",
-                                       "Figures",
-                                       "Folder",
-                                       "Format",
-                                       "Threads"};
 using A = Arguments;
 using G = GivenOption;
-constexpr Apply kApply[] = {
-    [](A& a, const G& g) { a.lens.pitch = parser::positive(g); },         // Lens_Pitch
-    [](A& a, const G& g) { a.lens.pitch = 25.4 / parser::positive(g); },  // Lens_LPI
-    [](A& a, const G& g) { a.lens.focal_length = parser::positive(g); },  // Lens_Focal_Length
-    set_ior,                                                              // Lens_IOR
-    set_pixels,                                                           // Lens_Pixels
-    set_model,                                                            // Lens_Model
-    [](A& a, const G& g) { a.lenses = count(g); },                        // Lenses
-    [](A& a, const G& g) { a.rows = count(g); },                          // Rows
-    [](A& a, const G& g) { a.a = range_of(g, false); },                   // A
-    [](A& a, const G& g) { a.d = range_of(g, true); },                    // D
-    [](A& a, const G& g) { a.x = parser::number(g); },                    // Xstart
-    [](A& a, const G& g) { a.y = parser::number(g); },                    // Ystart
-    [](A& a, const G& g) { a.slice_a = parser::positive(g); },            // Slice_A
-    [](A& a, const G& g) { a.slice_d = parser::positive(g); },            // Slice_D
-    [](A& a, const G& g) { a.strip_widths = whole_numbers(g); },          // Strip_Width
-    [](A& a, const G& g) { a.strip_heights = whole_numbers(g); },         // Strip_Height
-    set_alpha,                                                            // Alpha
-    [](A& a, const G& g) { a.csv = place(g); },                           // CSV
-    [](A& a, const G& g) { a.deviations = place(g); },                    // Deviations
-    set_figures,                                                          // Figures
-    [](A& a, const G& g) { a.folder = place(g); },                        // Folder
-    set_format,                                                           // Format
-    [](A& a, const G& g) {
-      a.threads = static_cast<int>(parser::whole_number(g, 1, 512));
-    },  // Threads
+constexpr parser::OwnOption<A> kOptions[] = {
+    {"Lens_Pitch", [](A& a, const G& g) { a.lens.pitch = parser::positive(g); }},
+    {"Lens_LPI", [](A& a, const G& g) { a.lens.pitch = 25.4 / parser::positive(g); }},
+    {"Lens_Focal_Length", [](A& a, const G& g) { a.lens.focal_length = parser::positive(g); }},
+    {"Lens_IOR", set_ior},
+    {"Lens_Pixels", set_pixels},
+    {"Lens_Model", set_model},
+    {"Lenses", [](A& a, const G& g) { a.lenses = count(g); }},
+    {"Rows", [](A& a, const G& g) { a.rows = count(g); }},
+    {"A", [](A& a, const G& g) { a.a = range_of(g, false); }},
+    {"D", [](A& a, const G& g) { a.d = range_of(g, true); }},
+    {"Xstart", [](A& a, const G& g) { a.x = parser::number(g); }},
+    {"Ystart", [](A& a, const G& g) { a.y = parser::number(g); }},
+    {"Slice_A", [](A& a, const G& g) { a.slice_a = parser::positive(g); }},
+    {"Slice_D", [](A& a, const G& g) { a.slice_d = parser::positive(g); }},
+    {"Strip_Width", [](A& a, const G& g) { a.strip_widths = whole_numbers(g); }},
+    {"Strip_Height", [](A& a, const G& g) { a.strip_heights = whole_numbers(g); }},
+    {"Alpha", set_alpha},
+    {"CSV", [](A& a, const G& g) { a.csv = parser::file_name(g); }},
+    {"Deviations", [](A& a, const G& g) { a.deviations = parser::file_name(g); }},
+    {"Figures", set_figures},
+    {"Folder", [](A& a, const G& g) { a.folder = parser::file_name(g); }},
+    {"Format", set_format},
+    {"Threads",
+     [](A& a, const G& g) { a.threads = static_cast<int>(parser::whole_number(g, 1, 512)); }},
 };
-static_assert(std::size(kNames) == std::size(kApply));
 
 [[noreturn]] void unknown(const std::string& word) {
   std::string known;
-  for (const std::string_view name : kNames) {
+  for (const auto& [name, apply] : kOptions) {
     known += " " + (name.starts_with("Lens_") ? std::string(name) : parser::long_name(name));
   }
   throw OptionError("unknown option '" + word.substr(0, word.find('=')) + "'; there are" + known +
@@ -227,9 +184,7 @@ Arguments parse_arguments(const std::vector<std::string>& words) {
     const std::string& word = words[i];
     if (word == "--measure") {
       arguments.measure = true;
-    } else if (const auto own = parser::own_option(words, i, kNames)) {
-      kApply[own->index](arguments, own->given);
-    } else {
+    } else if (!parser::take_own_option(words, i, kOptions, arguments)) {
       unknown(word);
     }
   }

@@ -111,11 +111,6 @@ bool is_second(const GivenOption& given, std::string_view first, std::string_vie
   return given.value == second;
 }
 
-std::filesystem::path file_name(const GivenOption& given) {
-  if (given.value.empty()) parser::refuse(given, "the name of a file is expected");
-  return given.value;
-}
-
 struct ValueOption {
   std::string_view name;  ///< of two words: Lens_Pitch
   unsigned commands;
@@ -129,13 +124,10 @@ double dpi_of(const GivenOption& given) { return number_within(given, 10.0, kMos
 /// "720", or "1440x720": across the lenses, and along them. As Print_DPI of lentray has it.
 void take_dpi(Arguments& a, const GivenOption& given) {
   const std::size_t times = given.value.find_first_of("xX");
-  GivenOption across = given, along = given;
-  across.value = given.value.substr(0, times);
-  a.lens.dpi_x = dpi_of(across);
+  a.lens.dpi_x = dpi_of(parser::part_of(given, given.value.substr(0, times)));
   a.dpi_says_both = times != std::string::npos;
   if (!a.dpi_says_both) return;
-  along.value = given.value.substr(times + 1);
-  a.lens.dpi_y = dpi_of(along);
+  a.lens.dpi_y = dpi_of(parser::part_of(given, given.value.substr(times + 1)));
 }
 
 constexpr int kMostPictures = 1000;
@@ -146,9 +138,8 @@ LayoutGrid grid_of(const GivenOption& given) {
   if (times == std::string::npos) {
     parser::refuse(given, "columns x rows of pictures are expected, such as 3x4");
   }
-  GivenOption columns = given, rows = given;
-  columns.value = given.value.substr(0, times);
-  rows.value = given.value.substr(times + 1);
+  const GivenOption columns = parser::part_of(given, given.value.substr(0, times)),
+                    rows = parser::part_of(given, given.value.substr(times + 1));
   const LayoutGrid grid{
       .columns = static_cast<int>(parser::whole_number(columns, 1, kMostPictures)),
       .rows = static_cast<int>(parser::whole_number(rows, 1, kMostPictures))};
@@ -167,7 +158,7 @@ void take_copies(Arguments& a, const GivenOption& given) {
 }
 
 constexpr ValueOption kValues[] = {
-    {"Out", kAll, [](Arguments& a, const GivenOption& g) { a.out = file_name(g); }},
+    {"Out", kAll, [](Arguments& a, const GivenOption& g) { a.out = parser::file_name(g); }},
     {"Lpi", kAll,
      [](Arguments& a, const GivenOption& g) {
        a.lens.lens_pitch = kInch / number_within(g, kLeastLpi, kMostLpi);
@@ -268,9 +259,8 @@ std::string options_of(unsigned command) {
 /// The words behind the command.
 class Reading {
  public:
-  Reading(Arguments& arguments, const CommandName& command) : m_out(arguments), m_command(command) {
-    for (const ValueOption& row : kValues) m_names.push_back(row.name);
-  }
+  Reading(Arguments& arguments, const CommandName& command)
+      : m_out(arguments), m_command(command) {}
 
   void word(const std::vector<std::string>& words, std::size_t& at) {
     const std::string& text = words[at];
@@ -284,24 +274,25 @@ class Reading {
       m_out.*row.member = true;
       return;
     }
-    const auto own = parser::own_option(words, at, m_names);
-    if (!own) {
-      throw OptionError("unknown option '" + text.substr(0, text.find('=')) + "'; " +
-                        std::string(m_command.name) + " has" + options_of(m_command.bit));
+    for (const ValueOption& row : kValues) {
+      if (const auto given = parser::own_option(words, at, row.name)) return apply(row, *given);
     }
-    const ValueOption& row = kValues[own->index];
-    const std::string name = parser::long_name(row.name);
-    check_command(name, row.commands);
-    row.apply(m_out, own->given);
-    if (row.name == "Lpi" || row.name == "Lens_Pitch") {
-      if (!m_pitch_by.empty() && m_pitch_by != name) {
-        throw OptionError("--lpi and --lens-pitch say the same thing: give one of them");
-      }
-      m_pitch_by = name;
-    }
+    throw OptionError("unknown option '" + text.substr(0, text.find('=')) + "'; " +
+                      std::string(m_command.name) + " has" + options_of(m_command.bit));
   }
 
  private:
+  void apply(const ValueOption& row, const GivenOption& given) {
+    const std::string name = parser::long_name(row.name);
+    check_command(name, row.commands);
+    row.apply(m_out, given);
+    if (row.name != "Lpi" && row.name != "Lens_Pitch") return;
+    if (!m_pitch_by.empty() && m_pitch_by != name) {
+      throw OptionError("--lpi and --lens-pitch say the same thing: give one of them");
+    }
+    m_pitch_by = name;
+  }
+
   void picture(const std::string& text) {
     if (m_command.bit != kSheet) {
       throw OptionError(std::string(m_command.name) + " takes no picture, but '" + text +
@@ -318,7 +309,6 @@ class Reading {
 
   Arguments& m_out;
   const CommandName& m_command;
-  std::vector<std::string_view> m_names;
   std::string m_pitch_by;
 };
 

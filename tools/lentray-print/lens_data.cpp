@@ -1,6 +1,5 @@
 #include "tools/lentray-print/lens_data.h"
 
-#include <charconv>
 #include <cmath>
 
 #include "camera/text.h"
@@ -22,27 +21,17 @@ std::optional<std::string> field_of(const core::StoredImage& image, const std::s
   return found == facts.end() ? std::nullopt : std::optional(found->second);
 }
 
-std::optional<double> number_in(const std::optional<std::string>& text) {
-  if (!text) return std::nullopt;
-  double value = 0.0;
-  const auto [end, error] = std::from_chars(text->data(), text->data() + text->size(), value);
-  if (error != std::errc() || !std::isfinite(value)) return std::nullopt;
-  return value;
+std::optional<double> positive(double value) {
+  return value > 0.0 ? std::optional(value) : std::nullopt;
 }
-
 std::optional<double> positive_field(const core::StoredImage& image, const std::string& name) {
-  const std::optional<double> value = number_in(field_of(image, name));
-  return value && *value > 0.0 ? value : std::nullopt;
+  return positive(tool::number_of(tool::facts_of(image), "lens." + name));
 }
 
 std::optional<double> resolution(const core::StoredImage& image, const char* name) {
-  const auto found = image.attributes.find(name);
-  if (found == image.attributes.end()) return std::nullopt;
   const auto unit = image.attributes.find("ResolutionUnit");
-  std::optional<double> value = number_in(found->second);
-  if (!value || !(*value > 0.0)) return std::nullopt;
-  if (unit != image.attributes.end() && unit->second == "cm") value = *value * 2.54;
-  return value;
+  const bool is_cm = unit != image.attributes.end() && unit->second == "cm";
+  return positive(tool::number_of(image.attributes, name) * (is_cm ? 2.54 : 1.0));
 }
 
 bool differs(double a, double b) { return std::fabs(a - b) > kSame * std::fabs(b); }
@@ -85,7 +74,7 @@ double LensData::print_pitch() const { return pixels * kInch / dpi_x; }
 double LensData::print_lpi() const { return dpi_x / pixels; }
 
 double slant_in(const core::StoredImage& image) {
-  return number_in(field_of(image, "slant_deg")).value_or(0.0);
+  return tool::number_of(tool::facts_of(image), "lens.slant_deg");
 }
 
 LensData lens_data_of(const core::StoredImage& image, const GivenLensData& given,

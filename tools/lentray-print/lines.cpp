@@ -4,7 +4,7 @@
 #include <cmath>
 #include <utility>
 
-#include "tools/lentray-print/pixels.h"
+#include "core/image/orientation.h"
 
 namespace lentray::print {
 namespace {
@@ -59,7 +59,7 @@ Picture standing_grating(const Grating& lying, std::int64_t column, std::uint32_
   picture.row = picture.column;
   picture.column = column;
   // A quarter turn clockwise sends what was left up; the lines are all alike, so no other turn is needed.
-  picture.image = turned(std::move(picture.image));
+  picture.image = core::upright(std::move(picture.image), core::kTurned);
   return picture;
 }
 

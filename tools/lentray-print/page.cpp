@@ -5,8 +5,8 @@
 #include <utility>
 
 #include "camera/text.h"
+#include "core/image/orientation.h"
 #include "tools/lentray-print/letters.h"
-#include "tools/lentray-print/pixels.h"
 
 namespace lentray::print {
 namespace {
@@ -89,7 +89,7 @@ Page mirrored(Page page) {
   const double right = static_cast<double>(columns) * page.pixel_width();
   for (Picture& picture : page.pictures) {
     picture.column = columns - picture.column - picture.image.width;
-    picture.image = mirrored(std::move(picture.image));
+    picture.image = core::upright(std::move(picture.image), core::kMirrored);
   }
   const auto mirror = [right](Box& box) { box.left = right - box.right(); };
   std::for_each(page.bars.begin(), page.bars.end(), mirror);
@@ -106,7 +106,7 @@ Page turned(Page page) {
     const std::int64_t column = rows - picture.row - picture.image.height;
     picture.row = picture.column;
     picture.column = column;
-    picture.image = turned(std::move(picture.image));
+    picture.image = core::upright(std::move(picture.image), core::kTurned);
   }
   const auto turn = [bottom](Box& box) {
     box = {bottom - box.bottom(), box.left, box.height, box.width};

@@ -1,12 +1,12 @@
 #include "tools/lentray-print/page_file.h"
 
 #include <algorithm>
-#include <cctype>
 #include <cmath>
 #include <memory>
 
 #include "camera/text.h"
 #include "core/image/writer.h"
+#include "parser/options/ini.h"
 #include "tools/common/version.h"
 #include "tools/lentray-print/page_raster.h"
 #include "tools/lentray-print/pdf.h"
@@ -20,11 +20,7 @@ namespace {
 constexpr std::uint32_t kRowsAtOnce = 64;
 constexpr std::uint32_t kMostPixels = 300000;  ///< a side: a row of them is drawn in floats
 
-bool is_pdf(const fs::path& path) {
-  std::string extension = path.extension().string();
-  for (char& c : extension) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-  return extension == ".pdf";
-}
+bool is_pdf(const fs::path& path) { return parser::same_word(path.extension().string(), ".pdf"); }
 
 void check_pixels(const Page& page, const fs::path& path) {
   const double longest =

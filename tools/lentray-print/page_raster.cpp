@@ -159,19 +159,14 @@ core::StoredImage stored_window(const Page& page, const Window& window, int bits
   image.profile = page.profile();
   const std::size_t count = std::size_t{3} * window.width * window.height;
   core::check_room(static_cast<double>(count) * bits / 8);
-  const auto fill = [&](auto& samples) {
-    samples.clear();
+  image.samples.store_bits(bits, 0);
+  image.samples.visit([&](auto& samples) {
     samples.reserve(count);
     for (std::uint32_t row = 0; row < window.height; row += kBandRows) {
       const std::uint32_t rows = std::min(kBandRows, window.height - row);
       append(drawn(page, {window.column, window.row + row, window.width, rows}), bits, samples);
     }
-  };
-  if (bits == 8) {
-    fill(image.samples.store<std::uint8_t>(0));
-  } else {
-    fill(image.samples.store<std::uint16_t>(0));
-  }
+  });
   return image;
 }
 

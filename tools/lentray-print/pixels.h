@@ -11,13 +11,6 @@
 
 namespace lentray::print {
 
-/// Column x of the result is column `columns[x]` of the picture, and likewise rows.
-core::StoredImage rearranged(core::StoredImage image, const std::vector<std::uint32_t>& columns,
-                             const std::vector<std::uint32_t>& rows);
-core::StoredImage mirrored(core::StoredImage image);
-/// A quarter turn clockwise.
-core::StoredImage turned(core::StoredImage image);
-
 /// Grey or RGB of `bits` 8 or 16: alpha is laid over the background, floats become sRGB's values.
 core::StoredImage as_printed(core::StoredImage image, int bits, Colour background);
 

@@ -90,7 +90,8 @@ Repitched repitched(const StoredImage& image, double from, const core::LensColum
   result.profile = image.profile;
   const std::size_t count = all.size() * image.height * static_cast<std::size_t>(image.channels);
   core::check_room(static_cast<double>(count) * image.bits / 8);
-  const auto fill = [&](auto& samples) {
+  result.samples.store_bits(image.bits, count);
+  result.samples.visit([&](auto& samples) {
     std::size_t to_sample = 0;
     for (std::uint32_t row = 0; row < image.height; ++row) {
       for (const Mix& mix : all) {
@@ -102,12 +103,7 @@ Repitched repitched(const StoredImage& image, double from, const core::LensColum
         }
       }
     }
-  };
-  if (image.bits == 8) {
-    fill(result.samples.store<std::uint8_t>(count));
-  } else {
-    fill(result.samples.store<std::uint16_t>(count));
-  }
+  });
   // Linear interpolation at a share t between two columns, beside the same from twice as far at 1/2: t (1 - t) of the
   // error where values bend, 2 t (1 - t) of its square where they jump.
   double smooth = 0.0, step = 0.0;

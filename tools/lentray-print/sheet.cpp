@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "camera/text.h"
+#include "core/image/orientation.h"
 #include "tools/lentray-print/page_error.h"
 #include "tools/lentray-print/pixels.h"
 
@@ -31,8 +32,8 @@ void add_bleed(SheetArt& art, std::int64_t lenses, std::int64_t rows) {
   art.first_column = art.lenses.first_column(-lenses);
   art.first_row = -rows;
   const std::uint32_t width = art.image.width, height = art.image.height;
-  art.image = rearranged(
-      std::move(art.image),
+  art.image = core::rearranged(
+      art.image,
       continued_columns(art.first_column, static_cast<std::uint32_t>(end - art.first_column), width,
                         art.lenses),
       continued_rows(art.first_row, static_cast<std::uint32_t>(height + 2 * rows), height));

@@ -71,9 +71,7 @@ void set_quilt(Arguments& a, const GivenOption& given) {
 void set_eye(Arguments& a, const GivenOption& given) {
   const std::size_t comma = given.value.find(',');
   const auto part = [&](std::string text) {
-    GivenOption one = given;
-    one.value = std::move(text);
-    return parser::number(one);
+    return parser::number(parser::part_of(given, std::move(text)));
   };
   Eye eye;
   eye.angle = part(given.value.substr(0, comma));
@@ -133,20 +131,13 @@ void set_order(Arguments& a, const GivenOption& given) {
   }
 }
 
-void set_file(std::filesystem::path& file, const GivenOption& given) {
-  if (given.value.empty()) parser::refuse(given, "the name of a file is expected");
-  file = given.value;
-}
-
 /// Reads the command line word by word.
 class Reader {
  public:
   Arguments read(const std::vector<std::string>& words) {
     for (std::size_t i = 0; i < words.size(); ++i) {
-      if (flag(words[i])) continue;
-      if (const auto own = parser::own_option(words, i, kNames)) {
-        apply(own->index, own->given);
-      } else if (words[i].starts_with("-")) {
+      if (flag(words[i]) || value(words, i)) continue;
+      if (words[i].starts_with("-")) {
         throw OptionError("unknown option '" + words[i].substr(0, words[i].find('=')) +
                           "'; lentray-views --help lists all options");
       } else {
@@ -158,62 +149,66 @@ class Reader {
   }
 
  private:
-  using Apply = void (*)(Reader&, const GivenOption&);
-  static constexpr std::string_view kNames[] = {
-      "View",     "Views",      "Lens",          "Quilt",       "Eye",        "Eyes",
-      "Pair",     "Wiggle",     "Delay",         "Out",         "Count",      "Size",
-      "Filter",   "Like",       "Aspect",        "Lens_Pixels", "Lens_Pitch", "Lens_Focal_Length",
-      "Lens_IOR", "Lens_Model", "View_Distance", "Lens_Slant",  "Preview",    "Page_Limit",
-      "Profile",  "Order"};
-  void apply(std::size_t index, const GivenOption& given) {
-    static constexpr Apply kApply[] = {
-        [](Reader& r, const GivenOption& g) {
-          r.choose(Task::kViews, "--view");
-          const std::uint32_t view = whole(g, 0);
-          r.m_out.range = Range{view, view};
-        },
-        [](Reader& r, const GivenOption& g) {
-          set_range(r.m_out, g);
-          r.m_some_views = true;
-        },
-        [](Reader& r, const GivenOption& g) {
-          r.choose(Task::kLens, "--lens");
-          r.m_out.lens = whole(g, 0);
-        },
-        [](Reader& r, const GivenOption& g) {
-          r.choose(Task::kQuilt, "--quilt");
-          set_quilt(r.m_out, g);
-        },
-        [](Reader& r, const GivenOption& g) { set_eye(r.m_out, g); },
-        [](Reader& r, const GivenOption& g) { r.m_out.eyes = parser::positive(g); },
-        [](Reader& r, const GivenOption& g) { set_pair(r.m_out, g); },
-        [](Reader& r, const GivenOption& g) {
-          r.choose(Task::kWiggle, "--wiggle");
-          set_file(r.m_out.out, g);
-        },
-        [](Reader& r, const GivenOption& g) { set_delay(r.m_out, g); },
-        [](Reader& r, const GivenOption& g) { set_file(r.m_out.out, g); },
-        [](Reader& r, const GivenOption& g) { r.m_out.count = whole(g, 1); },
-        [](Reader& r, const GivenOption& g) { r.m_out.size = size_in(g); },
-        [](Reader& r, const GivenOption& g) { set_filter(r.m_out, g); },
-        [](Reader& r, const GivenOption& g) { set_file(r.m_out.like, g); },
-        [](Reader& r, const GivenOption& g) { r.m_out.sheet.aspect = parser::positive(g); },
-        [](Reader& r, const GivenOption& g) { set_pixels(r.m_out, g); },
-        [](Reader& r, const GivenOption& g) { r.m_out.sheet.pitch = parser::positive(g); },
-        [](Reader& r, const GivenOption& g) { r.m_out.sheet.focal_length = parser::positive(g); },
-        [](Reader& r, const GivenOption& g) { r.m_out.sheet.ior = parser::positive(g); },
-        [](Reader& r, const GivenOption& g) { set_model(r.m_out, g); },
-        [](Reader& r, const GivenOption& g) { set_distance(r.m_out, g); },
-        [](Reader& r, const GivenOption& g) { set_slant(r.m_out, g); },
-        [](Reader& r, const GivenOption& g) {
-          r.choose(Task::kPreview, "--preview");
-          set_file(r.m_out.out, g);
-        },
-        [](Reader& r, const GivenOption& g) { r.m_out.page_limit = parser::positive(g); },
-        [](Reader& r, const GivenOption& g) { set_profiles(r.m_out, g); },
-        [](Reader& r, const GivenOption& g) { set_order(r.m_out, g); }};
-    static_assert(std::size(kNames) == std::size(kApply));
-    kApply[index](*this, given);
+  bool value(const std::vector<std::string>& words, std::size_t& at) {
+    static constexpr parser::OwnOption<Reader> kOptions[] = {
+        {"View",
+         [](Reader& r, const GivenOption& g) {
+           r.choose(Task::kViews, "--view");
+           const std::uint32_t view = whole(g, 0);
+           r.m_out.range = Range{view, view};
+         }},
+        {"Views",
+         [](Reader& r, const GivenOption& g) {
+           set_range(r.m_out, g);
+           r.m_some_views = true;
+         }},
+        {"Lens",
+         [](Reader& r, const GivenOption& g) {
+           r.choose(Task::kLens, "--lens");
+           r.m_out.lens = whole(g, 0);
+         }},
+        {"Quilt",
+         [](Reader& r, const GivenOption& g) {
+           r.choose(Task::kQuilt, "--quilt");
+           set_quilt(r.m_out, g);
+         }},
+        {"Eye", [](Reader& r, const GivenOption& g) { set_eye(r.m_out, g); }},
+        {"Eyes", [](Reader& r, const GivenOption& g) { r.m_out.eyes = parser::positive(g); }},
+        {"Pair", [](Reader& r, const GivenOption& g) { set_pair(r.m_out, g); }},
+        {"Wiggle",
+         [](Reader& r, const GivenOption& g) {
+           r.choose(Task::kWiggle, "--wiggle");
+           r.m_out.out = parser::file_name(g);
+         }},
+        {"Delay", [](Reader& r, const GivenOption& g) { set_delay(r.m_out, g); }},
+        {"Out", [](Reader& r, const GivenOption& g) { r.m_out.out = parser::file_name(g); }},
+        {"Count", [](Reader& r, const GivenOption& g) { r.m_out.count = whole(g, 1); }},
+        {"Size", [](Reader& r, const GivenOption& g) { r.m_out.size = size_in(g); }},
+        {"Filter", [](Reader& r, const GivenOption& g) { set_filter(r.m_out, g); }},
+        {"Like", [](Reader& r, const GivenOption& g) { r.m_out.like = parser::file_name(g); }},
+        {"Aspect",
+         [](Reader& r, const GivenOption& g) { r.m_out.sheet.aspect = parser::positive(g); }},
+        {"Lens_Pixels", [](Reader& r, const GivenOption& g) { set_pixels(r.m_out, g); }},
+        {"Lens_Pitch",
+         [](Reader& r, const GivenOption& g) { r.m_out.sheet.pitch = parser::positive(g); }},
+        {"Lens_Focal_Length",
+         [](Reader& r, const GivenOption& g) { r.m_out.sheet.focal_length = parser::positive(g); }},
+        {"Lens_IOR",
+         [](Reader& r, const GivenOption& g) { r.m_out.sheet.ior = parser::positive(g); }},
+        {"Lens_Model", [](Reader& r, const GivenOption& g) { set_model(r.m_out, g); }},
+        {"View_Distance", [](Reader& r, const GivenOption& g) { set_distance(r.m_out, g); }},
+        {"Lens_Slant", [](Reader& r, const GivenOption& g) { set_slant(r.m_out, g); }},
+        {"Preview",
+         [](Reader& r, const GivenOption& g) {
+           r.choose(Task::kPreview, "--preview");
+           r.m_out.out = parser::file_name(g);
+         }},
+        {"Page_Limit",
+         [](Reader& r, const GivenOption& g) { r.m_out.page_limit = parser::positive(g); }},
+        {"Profile", [](Reader& r, const GivenOption& g) { set_profiles(r.m_out, g); }},
+        {"Order", [](Reader& r, const GivenOption& g) { set_order(r.m_out, g); }},
+    };
+    return parser::take_own_option(words, at, kOptions, *this);
   }
 
   bool flag(const std::string& word) {

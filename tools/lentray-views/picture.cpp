@@ -5,8 +5,6 @@
 #include <cstdlib>
 #include <string_view>
 
-#include "core/image/file_swap.h"
-#include "core/image/image_module.h"
 #include "core/image/picture_encoder.h"
 #include "core/image/srgb.h"
 #include "core/image/writer.h"
@@ -21,9 +19,6 @@ using core::StoredImage;
 
 constexpr std::string_view kOurs = "lentray:";
 
-bool has_alpha(int channels) { return channels == 2 || channels == 4; }
-float most_of(int bits) { return bits == 32 ? 1.0f : static_cast<float>((1u << bits) - 1u); }
-
 float decoded_sample(float value, double gamma) {
   if (gamma == 1.0 || value <= 0.0f) return value;
   if (gamma <= 0.0) return core::linear_of_srgb(value);
@@ -35,18 +30,6 @@ float encoded_sample(float light, double gamma) {
   return static_cast<float>(std::pow(double{light}, 1.0 / gamma));
 }
 
-void make_room(StoredImage& image) {
-  const std::size_t count =
-      std::size_t{image.width} * image.height * static_cast<std::size_t>(image.channels);
-  if (image.bits == 8) {
-    image.samples.store<std::uint8_t>(count);
-  } else if (image.bits == 16) {
-    image.samples.store<std::uint16_t>(count);
-  } else {
-    image.samples.assign(count, 0.0f);
-  }
-}
-
 /// The same picture in what a file of that type holds.
 StoredImage fit_for(FileType type, const StoredImage& image) {
   StoredImage like;
@@ -55,12 +38,11 @@ StoredImage fit_for(FileType type, const StoredImage& image) {
   like.profile = image.profile;
   like.bits = type == FileType::exr ? 32 : type == FileType::jpeg ? 8 : std::min(image.bits, 16);
   if (image.bits == 32 && like.bits != 32) like.bits = 8;
-  if (like.bits == image.bits && !(type == FileType::jpeg && has_alpha(image.channels)))
-    return image;
+  if (like.bits == image.bits && !(type == FileType::jpeg && image.has_alpha())) return image;
   if (like.bits == 32 || image.bits == 32) like.gamma = like.bits == 32 ? 1.0 : -1.0;
-  like.premultiplied = like.bits == 32 && has_alpha(like.channels);
+  like.premultiplied = like.bits == 32 && like.has_alpha();
   Light light = light_of(image);
-  if (type == FileType::jpeg && has_alpha(image.channels)) {
+  if (type == FileType::jpeg && image.has_alpha()) {
     // Over black, which premultiplied light is already.
     like.channels = image.channels - 1;
     Light opaque{light.width, light.height, like.channels, {}};
@@ -95,31 +77,6 @@ core::PictureSpec spec_for(FileType type, const StoredImage& image, const About&
   return spec;
 }
 
-template <typename Value>
-void put_rows(const StoredImage& image, core::PictureEncoder& encoder) {
-  const std::size_t count = std::size_t{image.width} * static_cast<std::size_t>(image.channels);
-  std::vector<Value> row(count);
-  for (std::uint32_t y = 0; y < image.height; ++y) {
-    for (std::size_t i = 0; i < count; ++i)
-      row[i] = static_cast<Value>(image.samples[y * count + i]);
-    encoder.put(row.data(), 1);
-  }
-}
-
-void encode(const StoredImage& image, const std::filesystem::path& place,
-            const core::PictureSpec& spec) {
-  const auto encoder = spec.type == FileType::png ? core::make_png_encoder(place, spec)
-                                                  : core::image_module().encoder(place, spec);
-  if (image.bits == 8) {
-    put_rows<std::uint8_t>(image, *encoder);
-  } else if (image.bits == 16) {
-    put_rows<std::uint16_t>(image, *encoder);
-  } else {
-    put_rows<float>(image, *encoder);
-  }
-  encoder->close();
-}
-
 std::string kind_text(const StoredImage& image) {
   return std::to_string(image.channels) + " channels of " + std::to_string(image.bits) + " bits";
 }
@@ -147,7 +104,8 @@ StoredImage blank_like(const StoredImage& like, std::uint32_t width, std::uint32
   out.gamma = like.gamma;
   out.premultiplied = like.premultiplied;
   out.profile = like.profile;
-  make_room(out);
+  out.samples.store_bits(like.bits,
+                         std::size_t{width} * height * static_cast<std::size_t>(like.channels));
   return out;
 }
 
@@ -174,13 +132,13 @@ Light light_of(const StoredImage& image) {
   Light out{image.width, image.height, image.channels, {}};
   out.values.resize(image.samples.size());
   const auto channels = static_cast<std::size_t>(image.channels);
-  const float most = most_of(image.bits);
+  const float most = image.most();
   std::vector<float> table;
   if (image.bits != 32) {
     for (std::uint32_t i = 0; i < 1u << image.bits; ++i)
       table.push_back(decoded_sample(static_cast<float>(i) / most, image.gamma));
   }
-  const std::size_t colours = channels - (has_alpha(image.channels) ? 1 : 0);
+  const std::size_t colours = channels - (image.has_alpha() ? 1 : 0);
   for (std::size_t i = 0; i < out.values.size(); i += channels) {
     float alpha = 1.0f;
     if (colours < channels) {
@@ -203,8 +161,8 @@ StoredImage stored(const Light& light, const StoredImage& like) {
   kind.channels = light.channels;
   StoredImage out = blank_like(kind, light.width, light.height);
   const auto channels = static_cast<std::size_t>(light.channels);
-  const std::size_t colours = channels - (has_alpha(light.channels) ? 1 : 0);
-  const float most = most_of(out.bits);
+  const std::size_t colours = channels - (out.has_alpha() ? 1 : 0);
+  const float most = out.most();
   const auto put = [&](std::size_t at, float value) {
     if (out.bits != 32) value = std::floor(std::clamp(value, 0.0f, 1.0f) * most + 0.5f);
     out.samples.set(at, value);
@@ -243,13 +201,7 @@ void write_picture(const StoredImage& image, const std::filesystem::path& path,
                      "': OpenEXR holds no colour profile; .png, .tif and .jpg do");
   }
   const StoredImage fitting = fit_for(type, image);
-  core::FileSwap swap(path);
-  try {
-    encode(fitting, swap.temporary(), spec_for(type, fitting, about));
-  } catch (const std::exception& e) {
-    throw ImageError("cannot write " + core::shown_place(path) + ": " + e.what());
-  }
-  swap.commit();
+  core::write_stored(fitting, path, spec_for(type, fitting, about));
 }
 
 }  // namespace lentray::views

@@ -36,10 +36,7 @@ std::optional<LensModel> model_in(const Facts& facts) {
 }
 
 /// Horizontal slope of the line from the eye to the sheet's middle: the first of three numbers.
-double eye_slope_in(const Facts& facts) {
-  const auto found = facts.find("lens.eye_slope");
-  return found == facts.end() ? 0.0 : std::strtod(found->second.c_str(), nullptr);
-}
+double eye_slope_in(const Facts& facts) { return tool::number_of(facts, "lens.eye_slope"); }
 
 /// The second of the three.
 double eye_slope_up_in(const Facts& facts) {
@@ -52,11 +49,8 @@ double aspect_in(const core::StoredImage& image, const Facts& facts, const std::
   const double width = number_in(facts, "lens.sheet_width_mm", about),
                height = number_in(facts, "lens.sheet_height_mm", about);
   if (width > 0.0 && height > 0.0) return width / height;
-  const auto dots = [&](const char* name) {
-    const auto found = image.attributes.find(name);
-    return found == image.attributes.end() ? 0.0 : std::strtod(found->second.c_str(), nullptr);
-  };
-  const double x = dots("XResolution"), y = dots("YResolution");
+  const double x = tool::number_of(image.attributes, "XResolution"),
+               y = tool::number_of(image.attributes, "YResolution");
   return x > 0.0 && y > 0.0 ? image.width / x / (image.height / y) : 0.0;
 }
 

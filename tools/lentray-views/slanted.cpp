@@ -20,14 +20,9 @@ StoredImage slanted_view(const StoredImage& integral, const SlantedSheet& sheet,
     throw core::ImageError("there is no view " + std::to_string(view) + ": the views are 0 to " +
                            std::to_string(count - 1));
   }
-  StoredImage out = blank_like(integral, width, integral.height);
-  for (std::uint32_t row = 0; row < integral.height; ++row) {
-    for (std::uint32_t i = 0; i < width; ++i) {
-      const auto column = sheet.view_column(view, count, i, static_cast<std::int32_t>(row));
-      copy_pixels(integral, {column, row, 1, 1}, out, i, row);
-    }
-  }
-  return out;
+  return seen_at(integral, width, false, [&](std::uint32_t i, std::uint32_t row) {
+    return static_cast<double>(sheet.view_column(view, count, i, static_cast<std::int32_t>(row)));
+  });
 }
 
 struct SeenPlace {
@@ -53,38 +48,6 @@ double seen_column(const SlantedSheet& sheet, const Eye& eye, std::uint32_t plac
   return sheet.column_at(seen.cell_offset, seen.lens, row + 0.5) - 0.5;
 }
 
-StoredImage slanted_seen(const StoredImage& integral, const SlantedSheet& sheet,
-                         std::uint32_t width, const Eye& eye, bool between) {
-  const auto is_in = [&](double column) { return column >= 0.0 && column < integral.width; };
-  if (!between) {
-    StoredImage out = blank_like(integral, width, integral.height);
-    for (std::uint32_t row = 0; row < integral.height; ++row) {
-      for (std::uint32_t i = 0; i < width; ++i) {
-        const double column = std::floor(seen_column(sheet, eye, i, row) + 0.5);
-        if (!is_in(column)) continue;
-        copy_pixels(integral, {static_cast<std::uint32_t>(column), row, 1, 1}, out, i, row);
-      }
-    }
-    return out;
-  }
-  const Light from = light_of(integral);
-  Light to{width, integral.height, from.channels, {}};
-  to.values.resize(std::size_t{width} * integral.height * static_cast<std::size_t>(to.channels));
-  for (std::uint32_t row = 0; row < integral.height; ++row) {
-    for (std::uint32_t i = 0; i < width; ++i) {
-      const double place = seen_column(sheet, eye, i, row), left = std::floor(place);
-      const auto share = static_cast<float>(place - left);
-      for (const auto& [column, weight] :
-           {std::pair(left, 1.0f - share), std::pair(left + 1.0, share)}) {
-        if (!is_in(column) || weight == 0.0f) continue;
-        const float* const pixel = from.pixel(static_cast<std::uint32_t>(column), row);
-        for (int c = 0; c < to.channels; ++c) to.pixel(i, row)[c] += weight * pixel[c];
-      }
-    }
-  }
-  return stored(to, integral);
-}
-
 }  // namespace
 
 StoredImage view_of(const StoredImage& integral, const Sheet& sheet, std::uint32_t view,
@@ -97,7 +60,9 @@ StoredImage view_of(const StoredImage& integral, const Sheet& sheet, std::uint32
 StoredImage seen_by(const StoredImage& integral, const Sheet& sheet, const Eye& eye, bool between) {
   if (!sheet.slanted) return seen_by(integral, sheet.lenses, eye, between);
   const std::uint32_t width = camera::view_width(sheet.lenses, 0, 1);
-  return slanted_seen(integral, *sheet.slanted, width, eye, between);
+  return seen_at(integral, width, between, [&](std::uint32_t i, std::uint32_t row) {
+    return seen_column(*sheet.slanted, eye, i, row);
+  });
 }
 
 std::vector<double> cells_seen(const Sheet& sheet, const Eye& eye) {

@@ -11,13 +11,7 @@
 #include "tools/lentray-views/picture.h"
 
 namespace lentray::views {
-namespace {
-
 using core::StoredImage;
-
-bool is_in(double column, std::uint32_t width) { return column >= 0.0 && column < width; }
-
-}  // namespace
 
 std::vector<double> places_seen(const camera::LensSheet& sheet, const Eye& eye) {
   const camera::LensParameters& lens = sheet.lens();
@@ -39,13 +33,9 @@ StoredImage view_of(const StoredImage& integral, const camera::LensSheet& sheet,
     throw core::ImageError("there is no view " + std::to_string(view) + ": the views are 0 to " +
                            std::to_string(count - 1));
   }
-  StoredImage out = blank_like(integral, width, integral.height);
-  for (std::uint32_t i = 0; i < width; ++i) {
-    const auto column =
-        static_cast<std::uint32_t>(camera::view_column(sheet.lens().pixels, view, count, i));
-    copy_pixels(integral, {column, 0, 1, integral.height}, out, i, 0);
-  }
-  return out;
+  return seen_at(integral, width, false, [&](std::uint32_t i, std::uint32_t) {
+    return static_cast<double>(camera::view_column(sheet.lens().pixels, view, count, i));
+  });
 }
 
 StoredImage lens_of(const StoredImage& integral, const camera::LensSheet& sheet,
@@ -65,35 +55,43 @@ StoredImage lens_of(const StoredImage& integral, const camera::LensSheet& sheet,
   return out;
 }
 
-StoredImage seen_by(const StoredImage& integral, const camera::LensSheet& sheet, const Eye& eye,
-                    bool between) {
-  const std::vector<double> places = places_seen(sheet, eye);
-  const auto width = static_cast<std::uint32_t>(places.size());
+StoredImage seen_at(const StoredImage& integral, std::uint32_t width, bool between,
+                    const PlaceInPrint& place_of) {
+  const auto is_in = [&](double column) { return column >= 0.0 && column < integral.width; };
   if (!between) {
     StoredImage out = blank_like(integral, width, integral.height);
-    for (std::uint32_t i = 0; i < width; ++i) {
-      const double column = std::floor(places[i] + 0.5);
-      if (!is_in(column, integral.width)) continue;
-      copy_pixels(integral, {static_cast<std::uint32_t>(column), 0, 1, integral.height}, out, i, 0);
+    for (std::uint32_t row = 0; row < integral.height; ++row) {
+      for (std::uint32_t i = 0; i < width; ++i) {
+        const double column = std::floor(place_of(i, row) + 0.5);
+        if (!is_in(column)) continue;
+        copy_pixels(integral, {static_cast<std::uint32_t>(column), row, 1, 1}, out, i, row);
+      }
     }
     return out;
   }
   const Light from = light_of(integral);
   Light to{width, integral.height, from.channels, {}};
   to.values.resize(std::size_t{width} * integral.height * static_cast<std::size_t>(to.channels));
-  for (std::uint32_t i = 0; i < width; ++i) {
-    const double left = std::floor(places[i]);
-    const auto share = static_cast<float>(places[i] - left);
-    for (const auto& [column, weight] :
-         {std::pair(left, 1.0f - share), std::pair(left + 1.0, share)}) {
-      if (!is_in(column, integral.width) || weight == 0.0f) continue;
-      for (std::uint32_t row = 0; row < integral.height; ++row) {
+  for (std::uint32_t row = 0; row < integral.height; ++row) {
+    for (std::uint32_t i = 0; i < width; ++i) {
+      const double place = place_of(i, row), left = std::floor(place);
+      const auto share = static_cast<float>(place - left);
+      for (const auto& [column, weight] :
+           {std::pair(left, 1.0f - share), std::pair(left + 1.0, share)}) {
+        if (!is_in(column) || weight == 0.0f) continue;
         const float* const pixel = from.pixel(static_cast<std::uint32_t>(column), row);
         for (int c = 0; c < to.channels; ++c) to.pixel(i, row)[c] += weight * pixel[c];
       }
     }
   }
   return stored(to, integral);
+}
+
+StoredImage seen_by(const StoredImage& integral, const camera::LensSheet& sheet, const Eye& eye,
+                    bool between) {
+  const std::vector<double> places = places_seen(sheet, eye);
+  return seen_at(integral, static_cast<std::uint32_t>(places.size()), between,
+                 [&](std::uint32_t i, std::uint32_t) { return places[i]; });
 }
 
 }  // namespace lentray::views

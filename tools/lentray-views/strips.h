@@ -5,6 +5,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <vector>
 
 #include "camera/lens_sheet.h"
@@ -32,6 +33,12 @@ struct Eye {
 /// the middles of pixels instead of the nearest pixel.
 core::StoredImage seen_by(const core::StoredImage& integral, const camera::LensSheet& sheet,
                           const Eye& eye, bool between);
+
+/// The place in the print that a place of a row shows, in pixels: 0 is the middle of the first column.
+using PlaceInPrint = std::function<double(std::uint32_t place, std::uint32_t row)>;
+/// A picture of those places, so many in a row; black where the print has ended.
+core::StoredImage seen_at(const core::StoredImage& integral, std::uint32_t width, bool between,
+                          const PlaceInPrint& place_of);
 
 /// For each lens the place in the print that the eye sees, in pixels: 0 is the middle of the first column.
 std::vector<double> places_seen(const camera::LensSheet& sheet, const Eye& eye);

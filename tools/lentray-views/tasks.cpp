@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
-#include <cstdlib>
 #include <filesystem>
 #include <utility>
 #include <vector>
@@ -245,13 +244,8 @@ InterlacePlan plan_of(const Arguments& a, About& about, tool::PhotoReader& reade
     plan.width = like.image.width;
     plan.height = like.image.height;
     about.facts = like.facts;
-    const auto dots = [&](const char* name) {
-      const auto found = like.image.attributes.find(name);
-      return found == like.image.attributes.end() ? 0.0
-                                                  : std::strtod(found->second.c_str(), nullptr);
-    };
-    about.dpi_x = dots("XResolution");
-    about.dpi_y = dots("YResolution");
+    about.dpi_x = tool::number_of(like.image.attributes, "XResolution");
+    about.dpi_y = tool::number_of(like.image.attributes, "YResolution");
     if (a.size) throw ImageError("--size and --like contradict each other");
     return plan;
   }

@@ -18,7 +18,7 @@
 #include "shadow/pixel_orders.h"
 #include "tools/common/json_text.h"
 #include "tools/common/machine.h"
-#include "tools/common/text_file.h"
+#include "tools/common/process.h"
 #include "tools/lentray/camera_place.h"
 #include "tools/lentray/sheet_files.h"
 #include "tools/session/explain.h"
@@ -151,8 +151,8 @@ void parse_alone(Run& run, const Picture& what, const std::atomic<bool>& cancel)
 void write_dependencies(const Run& run, const SceneDisk& disk) {
   const RenderOptions& o = run.options;
   if (o.dependencies_file.empty()) return;
-  write_text_file(parser::frame_path(o, o.dependencies_file),
-                  json_text(disk.dependencies(run.identity.program), 1) + "\n");
+  write_whole(parser::frame_path(o, o.dependencies_file),
+              json_text(disk.dependencies(run.identity.program), 1) + "\n");
 }
 
 /// Pictures of views share a scene, unless it asks for a clock that is another now. A command
@@ -338,7 +338,7 @@ void write_statistics(const Run& run, const Session& session) {
   shadow::RunReport report = run.report;
   report.scene = o.input;
   report.accelerator = o.accelerator;
-  nlohmann::json all = statistics(std::move(report), run.camera, session.scene().settings());
+  nlohmann::json all = statistics(report, run.camera, session.scene().settings());
   all["not_rendered"] = session.not_rendered();
   if (session.photons()) all["photons"] = session.photons()->json();
   if (const auto& subsurface = session.scene().settings().subsurface) {
@@ -346,7 +346,7 @@ void write_statistics(const Run& run, const Session& session) {
                          {"samples_single", subsurface->samples_single}};
   }
   if (session.radiosity()) all["radiosity"] = session.radiosity()->json();
-  write_text_file(parser::frame_path(o, o.statistics_file), json_text(std::move(all), 2) + "\n");
+  write_whole(parser::frame_path(o, o.statistics_file), json_text(std::move(all), 2) + "\n");
 }
 
 /// What a run prints instead of a picture; nothing: it is to make one.

@@ -9,7 +9,7 @@
 #include "parser/options/animation.h"
 #include "parser/options/create_ini.h"
 #include "parser/restrictions/povray_conf.h"
-#include "tools/common/text_file.h"
+#include "tools/common/process.h"
 #include "tools/lentray/commands.h"
 #include "tools/lentray/picture_run.h"
 #include "tools/session/picture_journal.h"
@@ -66,7 +66,7 @@ class Loop {
     const std::string ini = parser::ini_path(m_options);
     if (ini.empty() || m_has_ini) return;
     m_has_ini = true;
-    write_text_file(ini, parser::ini_text(m_options));
+    write_whole(ini, parser::ini_text(m_options));
   }
 
   Status with_commands(Commands& commands) {

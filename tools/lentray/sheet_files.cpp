@@ -5,8 +5,8 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 
+#include "tools/common/process.h"
 #include "tools/common/progress_bar.h"
-#include "tools/common/text_file.h"
 #include "tools/session/depth_text.h"
 #include "tools/session/requests.h"
 #include "tools/session/view_cameras.h"
@@ -52,7 +52,7 @@ bool say_depth(const CameraSetup& setup, const Session& session, const RenderOpt
   bar.reset();
   if (!text) return false;
   // First what is kept.
-  if (!text->drawing.empty()) write_text_file(file, text->drawing);
+  if (!text->drawing.empty()) write_whole(file, text->drawing);
   if (file != "-") std::fputs(text->report.c_str(), stdout);
   return true;
 }
@@ -65,9 +65,8 @@ void write_view_cameras(const CameraSetup& setup, const RenderOptions& o) {
   }
   if (is_told_already(o)) return;
   const auto cameras = view_cameras(setup, camera_options(o), o.input == "-" ? "" : o.input);
-  write_text_file(
-      sheet_file(o, o.view_cameras),
-      cameras.dump(1, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n");
+  write_whole(sheet_file(o, o.view_cameras),
+              cameras.dump(1, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n");
 }
 
 }  // namespace lentray::tool

@@ -11,7 +11,6 @@
 #include <stdexcept>
 
 #include "core/base/byte_text.h"
-#include "core/image/run_files.h"
 #include "parser/options/options.h"
 #include "tools/common/companion.h"
 #include "tools/session/summed_bytes.h"
@@ -150,15 +149,8 @@ void PassFile::give_up(const std::string& why) {
 void PassFile::flush() {
   if (m_pending.empty() || m_is_off || (m_file < 0 && Clock::now() < m_speaks)) return;
   if (m_file < 0) {
-    struct stat about {};
     m_file = ::open(m_part.c_str(), O_RDWR | O_CREAT | O_CLOEXEC | O_NOFOLLOW | O_NONBLOCK, 0666);
-    if (m_file < 0) return give_up(std::strerror(errno));
-    if (::fstat(m_file, &about) != 0 || !S_ISREG(about.st_mode))
-      return give_up("it is no regular file");
-    if (core::is_input(m_part)) return give_up("the scene reads it");
-    if (::flock(m_file, LOCK_EX | LOCK_NB) != 0)
-      return give_up("another run is at the same picture");
-    if (::ftruncate(m_file, 0) != 0) return give_up(std::strerror(errno));
+    if (const std::string why = take_file(m_file, m_part); !why.empty()) return give_up(why);
     std::string start;
     core::append_bytes(kMark, start);
     append_summed(m_identity, start);

@@ -10,7 +10,6 @@
 #include <cstring>
 #include <stdexcept>
 
-#include "core/image/run_files.h"
 #include "parser/files/watched_files.h"
 #include "parser/options/options.h"
 #include "tools/session/summed_bytes.h"
@@ -223,14 +222,8 @@ void PictureJournal::add(std::size_t stage, const std::vector<core::Pixel>& pixe
 void PictureJournal::begin() {
   m_file = open_journal(m_path, O_RDWR | O_CREAT);
   m_whole = 0;
-  if (m_file < 0 || !is_regular(m_file)) {
-    give_up(m_file < 0 ? std::strerror(errno) : "it is no regular file");
-  } else if (core::is_input(m_path)) {
-    give_up("the scene reads it");
-  } else if (::flock(m_file, LOCK_EX | LOCK_NB) != 0) {
-    give_up("another run is at the same picture");
-  } else if (::ftruncate(m_file, 0) != 0) {
-    give_up(std::strerror(errno));
+  if (const std::string why = take_file(m_file, m_path); !why.empty()) {
+    give_up(why);
   } else {
     write(start_text(m_identity, false));
     if (m_is_off) (void)::unlink(m_path.c_str());

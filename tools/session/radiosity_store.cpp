@@ -4,7 +4,8 @@
 #include <filesystem>
 
 #include "core/image/writer.h"
-#include "tools/common/text_file.h"
+#include "parser/options/ini.h"
+#include "tools/common/process.h"
 #include "tools/session/summed_bytes.h"
 
 namespace lentray::tool {
@@ -18,9 +19,7 @@ bool is_folder(const std::string& name) {
 }
 
 bool is_stock(const std::string& name) {
-  std::string end = fs::path(name).extension().string();
-  std::ranges::transform(end, end.begin(), [](unsigned char c) { return std::tolower(c); });
-  return end == ".rca";
+  return parser::same_word(fs::path(name).extension().string(), ".rca");
 }
 
 bool is_there(const std::string& path) {
@@ -127,7 +126,7 @@ void RadiosityStore::write(const std::string& bytes) {
       std::error_code error;
       fs::create_directories(fs::path(m_path).parent_path(), error);
     }
-    write_text_file(m_path, bytes);
+    write_whole(m_path, bytes);
   } catch (const core::ImageError& error) {
     m_trouble = std::string("the radiosity could not be kept: ") + error.what();
   }

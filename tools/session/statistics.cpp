@@ -9,15 +9,26 @@
 namespace lentray::tool {
 namespace {
 
-shadow::LensReport lens_report(const camera::Lenticular& sheet) {
-  shadow::LensReport out;
-  out.parameters = sheet.sheet().lens();
-  out.lenses = sheet.sheet().lenses();
-  out.views = sheet.sheet().views();
-  out.lens_front = sheet.placement().front;
-  out.scene_units_per_mm = sheet.scale();
-  out.sheet_width = sheet.sheet().sheet_width();
-  out.sheet_height = sheet.placement().height / sheet.scale();
+/// What every camera of a sheet has, views and quilts too; lengths in mm.
+nlohmann::json lens_statistics(const camera::Lenticular& sheet) {
+  const camera::LensParameters& p = sheet.sheet().lens();
+  nlohmann::json out{{"pitch_mm", p.pitch},
+                     {"focal_length_mm", p.focal_length},
+                     {"ior", p.ior},
+                     {"pixels", p.pixels},
+                     {"model", camera::name_of(p.model)},
+                     {"print_pitch_mm", p.print_pitch()},
+                     {"pixel_size_mm", p.pixel_size()},
+                     {"print_dpi", p.print_dpi()},
+                     {"lenses_per_inch", p.lenses_per_inch()},
+                     {"lenses", sheet.sheet().lenses()},
+                     {"views", sheet.sheet().views()},
+                     {"lens_front", sheet.placement().front},
+                     {"scene_units_per_mm", sheet.scale()},
+                     {"sheet_width_mm", sheet.sheet().sheet_width()},
+                     {"sheet_height_mm", sheet.placement().height / sheet.scale()}};
+  // JSON has no infinity: null is the paper's camera.
+  out["view_distance_mm"] = p.is_finite() ? nlohmann::json(p.view_distance) : nlohmann::json();
   return out;
 }
 
@@ -54,12 +65,13 @@ nlohmann::json lens_json(const camera::Camera& camera) {
 
 }  // namespace
 
-nlohmann::json statistics(shadow::RunReport report, const CameraSetup& camera,
+nlohmann::json statistics(const shadow::RunReport& report, const CameraSetup& camera,
                           const core::SceneSettings& settings) {
-  if (camera.sheet) report.lens = lens_report(*camera.sheet);
   nlohmann::json out = shadow::to_json(report);
   out["image"]["working_gamma"] = working_gamma(settings);
-  if (camera.sheet) out["lens"].update(lens_json(camera.camera()));
+  if (!camera.sheet) return out;
+  out["lens"] = lens_statistics(*camera.sheet);
+  out["lens"].update(lens_json(camera.camera()));
   return out;
 }
 

@@ -9,7 +9,7 @@
 
 namespace lentray::tool {
 
-nlohmann::json statistics(shadow::RunReport report, const CameraSetup& camera,
+nlohmann::json statistics(const shadow::RunReport& report, const CameraSetup& camera,
                           const core::SceneSettings& settings);
 
 }  // namespace lentray::tool

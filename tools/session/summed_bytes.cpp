@@ -1,11 +1,17 @@
 #include "tools/session/summed_bytes.h"
 
+#include <sys/file.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <cerrno>
 #include <cstring>
 #include <fstream>
 #include <sstream>
 #include <utility>
 
 #include "core/base/byte_text.h"
+#include "core/image/run_files.h"
 #include "parser/files/watched_files.h"
 
 namespace lentray::tool {
@@ -29,6 +35,15 @@ bool take_summed(std::string_view& bytes, std::string_view& piece) {
   piece = bytes.substr(0, size);
   bytes.remove_prefix(size);
   return parser::checksum(piece) == sum;
+}
+
+std::string take_file(int file, const std::string& path) {
+  struct stat about {};
+  if (file < 0 || ::fstat(file, &about) != 0) return std::strerror(errno);
+  if (!S_ISREG(about.st_mode)) return "it is no regular file";
+  if (core::is_input(path)) return "the scene reads it";
+  if (::flock(file, LOCK_EX | LOCK_NB) != 0) return "another run is at the same picture";
+  return ::ftruncate(file, 0) != 0 ? std::strerror(errno) : "";
 }
 
 std::string file_bytes(const std::string& path) {

@@ -11,6 +11,7 @@
 #include <string>
 #include <string_view>
 
+#include "core/base/lower_case.h"
 #include "core/image/image_module.h"
 #include "core/image/openimageio/encoder.h"
 
@@ -46,8 +47,7 @@ constexpr std::array kPlainFormats = {
 /// it would open.
 Input open_file(const std::filesystem::path& path, const std::filesystem::path& named,
                 const OIIO::ImageSpec& as_stored) {
-  std::string extension = " " + named.extension().string() + " ";
-  for (char& c : extension) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  const std::string extension = lower_case(" " + named.extension().string() + " ");
   for (const bool is_likely : {true, false}) {
     for (const PlainFormat& format : kPlainFormats) {
       const bool fits =
