@@ -67,10 +67,8 @@ Vec3 triangle_normal(const Shape& shape) {
 
 /// Appends points with the whole surface in their convex hull, but for rounding; none where it is infinite.
 void add_hull(const Shape& shape, std::vector<Vec3>& points) {
-  const std::type_info& type = typeid(shape);
-  if (type == typeid(Cone)) return static_cast<const Cone&>(shape).hull(points);
-  if (type == typeid(Cylinder)) return static_cast<const Cylinder&>(shape).hull(points);
-  if (type == typeid(DoubleCone)) return static_cast<const DoubleCone&>(shape).hull(points);
+  if (const auto* frustum = dynamic_cast<const Frustum*>(&shape)) return frustum->hull(points);
+  if (const auto* two = dynamic_cast<const DoubleCone*>(&shape)) return two->hull(points);
   add_corners(shape.bounds(), points);
 }
 

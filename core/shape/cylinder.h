@@ -2,47 +2,26 @@
 // Source: reference manual 3.7, "Cylinder".
 #pragma once
 
-#include "core/shape/crossings.h"
-#include "core/shape/shape.h"
+#include "core/shape/frustum.h"
 
 namespace lentray::core {
 
-class Cylinder final : public Shape {
+class Cylinder final : public Frustum {
  public:
-  /// Ends must differ (is_degenerate otherwise: nothing hits it).
-  Cylinder(const Vec3& base, const Vec3& cap, double radius, bool open = false);
+  Cylinder(const Vec3& base, const Vec3& cap, double radius, bool open = false)
+      : Frustum(base, radius, cap, radius, open) {}
 
-  bool is_degenerate() const { return !(m_length > 0.0) || !(m_radius > 0.0); }
   const Vec3& base() const { return m_base; }
-  Vec3 cap() const { return m_base + m_axis * m_length; }
-  double radius() const { return m_radius; }
-  bool is_open() const { return m_open; }
+  double radius() const { return m_base_radius; }
 
-  ShapeTraits traits() const override {
-    return {.name = "cylinder",
-            .convexity = m_open ? Convexity::kOpen : Convexity::kConvex,
-            .is_seen_afar = true};
-  }
-  Bounds box(const Transform* move) const override;
-  Ball ball() const override;
-  /// Appends points with the whole surface in their convex hull, but for rounding.
-  void hull(std::vector<Vec3>& points) const;
+  ShapeTraits traits() const override { return traits_as("cylinder"); }
   bool nearest(const Ray& ray, double t_min, double t_max, ShapeHit& hit) const override;
   void all(const Ray& ray, double t_min, double t_max, ShapeHits& hits) const override;
-  /// An open one is as solid as a closed one.
-  bool holds(const Vec3& p, bool inverse) const override { return within(p) != inverse; }
-  /// ShapeHit::element: 0 side, 1 base, 2 cap.
-  Vec3 normal(const Vec3& p, const ShapeHit& hit) const override;
   /// Under similarities.
   std::unique_ptr<Shape> baked(const Transform& t) const override;
 
  private:
-  bool within(const Vec3& p) const;
   int crossings(const Ray& ray, double t_min, Crossing out[2]) const;
-
-  Vec3 m_base, m_axis;  ///< axis unit, from base to cap
-  double m_length, m_radius;
-  bool m_open;
 };
 
 }  // namespace lentray::core
