@@ -1,6 +1,6 @@
-// Gives a built object its clips, its `inverse` and the gates that rays must meet to see it: its bounds as far as
-// stock heeds them, and stock's box where that hides something (core/object/gated.h). Also: which unions of the
-// scene's list stand there in parts. World space.
+// Gives a built object its clips, its `inverse` and its gates, which a ray must hit for the object to be seen
+// (core/object/gated.h): its `bounded_by` where stock uses it, and stock's bounding box where the object exceeds it.
+// Also: which unions of the scene's list are replaced by their parts there. World space.
 // Source: measured on stock (tests/image/clip_boxes_test.cpp, tests/image/own_bounds_test.cpp,
 // tests/unit/build_objects_test.cpp).
 // Errors: none. Threads: any.
@@ -27,7 +27,7 @@ using MakeRegion = std::function<std::shared_ptr<const core::Object>(const Objec
 void set_limits(const ObjectDesc& object, const core::Transform& outer, const Standing& standing,
                 const MakeRegion& make_region, std::unique_ptr<core::Object>& out);
 
-/// Whether the parts of this object of the scene's list come to hang in the list themselves.
+/// Whether the parts of this object of the scene's list become entries of the list themselves.
 bool splits_on_list(const ObjectDesc& object);
 
 }  // namespace lentray::parser
