@@ -57,7 +57,7 @@ void take_photons(const PhotonFlags& own, core::PassFlags& flags) {
   if (own.target && flags.photon_target == 0.0) flags.photon_target = own.density;
 }
 
-/// The parts of a union whose objects come to hang in the scene's list, if nobody else refers to them; else null.
+/// The parts of a union that become entries of the scene's list, if nobody else refers to them; else null.
 Children* sole_children(Ref<ObjectDesc>& object) {
   if (!splits_on_list(*object) || object.use_count() != 1 || Cutaways::occur_in(*object))
     return nullptr;
@@ -242,7 +242,7 @@ std::unique_ptr<core::Object> ObjectBuilder::build_whole(const ObjectDesc& objec
   Inherited looks = resolve(object, outer, from);
   const CsgShape* csg = object.csg();
   std::unique_ptr<core::Object> out;
-  // The parts of an unclipped union of the scene's list come to hang in the list themselves.
+  // The parts of an unclipped union of the scene's list become entries themselves.
   const bool is_split = from.on_list && splits_on_list(object);
   if (!is_split) take_aim(object, outer, looks);
   if (csg) {

@@ -60,10 +60,10 @@ class ObjectBuilder {
     bool in_whole = false;               ///< is a part of something
     const ObjectDesc* named = nullptr;   ///< the outermost around it that comes from an identifier
     bool on_list =
-        false;  ///< hangs directly in the scene's list: stock drops needless bounds there
+        false;  ///< an entry of the scene's list: stock drops needless bounds there
   };
 
-  /// Builds an object that hangs in the scene's list.
+  /// Builds an entry of the scene's list.
   void add_to_list(const ObjectDesc& object, const core::Transform& outer, const Inherited& from);
   /// Throws BuildError.
   std::unique_ptr<core::Object> build(const ObjectDesc& object, const core::Transform& outer,

@@ -63,7 +63,7 @@ class TexturePool {
   std::unordered_map<const TextureDesc*, std::uint32_t> m_index;
 };
 
-/// Reads normals. Those of no length become <1, 0, 0>, as in stock, and are told of once a mesh.
+/// Reads normals. Those of no length become <1, 0, 0>, as in stock, with one warning a mesh.
 class NormalReader {
  public:
   Vec3 read(Parser& parser) {

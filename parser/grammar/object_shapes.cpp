@@ -148,7 +148,7 @@ ShapeDesc parse_polygon(Parser& parser, Context&) {
     parser.parse_comma();
     s.points.push_back(parser.parse_vector());
   }
-  // As stock: the first point that is met again closes an outline and the next begins another.
+  // As stock: the first point that is repeated closes an outline and the next begins another.
   Vec3 first = s.points.front();
   bool open = true;
   for (std::size_t i = 1; i < s.points.size(); ++i) {

@@ -44,7 +44,7 @@ class PigmentTarget final : public PatternTarget {
 
   bool accept_own_modifier(Parser& parser) override {
     if (parser.at(Keyword::kColorMap)) {
-      // Without a pattern it means nothing, and stock lets it pass.
+      // Without a pattern it means nothing, and stock accepts it.
       if (!is_unset(m_pigment.pattern))
         check_map_allowed(parser, m_pigment.pattern, "color_map", false);
       parser.next();

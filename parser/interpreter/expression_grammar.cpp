@@ -14,8 +14,7 @@ namespace lentray::parser {
 
 template <typename Tokens>
 bool ExpressionGrammar<Tokens>::read(Number& n, Precedence least) {
-  return m_tokens.quick(n, least) ||
-         (least == Precedence::kLogical ? choice(n) : binary(n, least));
+  return m_tokens.quick(n, least) || (least == Precedence::kLogical ? choice(n) : binary(n, least));
 }
 
 template <typename Tokens>
@@ -26,6 +25,7 @@ bool ExpressionGrammar<Tokens>::located(Number& n, Precedence least, Location& w
 
 template <typename Tokens>
 bool ExpressionGrammar<Tokens>::scalar(double& x, Precedence least) {
+  if (m_tokens.quick(x, least)) return true;
   Number n;
   Location where;
   if (!located(n, least, where)) return false;
@@ -73,8 +73,8 @@ template <typename Tokens>
 bool ExpressionGrammar<Tokens>::binary(Number& left, Precedence least) {
   if (least < Precedence::kComparison && m_tokens.at_string())
     return string_comparison(left.v[0]) && operators(left, least, Precedence::kLogical);
-  return operand(left) && (m_tokens.precedence() < least ||
-                           operators(left, least, Precedence::kProduct));
+  return operand(left) &&
+         (m_tokens.precedence() < least || operators(left, least, Precedence::kProduct));
 }
 
 template <typename Tokens>
@@ -172,8 +172,7 @@ bool ExpressionGrammar<Tokens>::vector_literal(Number& n) {
   m_tokens.open_vector();
   std::size_t size = 0;
   for (; !m_tokens.at(Punct::kGreater); comma()) {
-    if (size == n.v.size())
-      return m_tokens.fail_expected("'>' after the 5 components of a vector");
+    if (size == n.v.size()) return m_tokens.fail_expected("'>' after the 5 components of a vector");
     if (!scalar(n.v[size++])) return false;
   }
   if (size < 2) return m_tokens.fail_expected("at least 2 components in a vector");
@@ -214,8 +213,7 @@ bool ExpressionGrammar<Tokens>::member(Number& n) {
 template <typename Tokens>
 bool ExpressionGrammar<Tokens>::keyword(Number& n) {
   const Keyword word = m_tokens.peek_operand().keyword;
-  if (!starts_operand(word))
-    return m_tokens.fail_expected("a number, vector or identifier of one");
+  if (!starts_operand(word)) return m_tokens.fail_expected("a number, vector or identifier of one");
   m_tokens.skip();
   switch (function_kind(word)) {
     case FunctionKind::kOneFloat:
@@ -235,8 +233,9 @@ bool ExpressionGrammar<Tokens>::outside_domain(Keyword function, double& x, cons
     x = std::clamp(x, -1.0, 1.0);
     return m_tokens.warn(where, "domain error in " + name);
   }
-  return m_tokens.fail(where, name + (function == Keyword::kSqrt ? " of the negative number " : " of ") +
-                                  std::to_string(x));
+  return m_tokens.fail(where,
+                       name + (function == Keyword::kSqrt ? " of the negative number " : " of ") +
+                           std::to_string(x));
 }
 
 // Functions of floats alone; like those below, the keyword has been read.
@@ -382,8 +381,8 @@ bool ExpressionGrammar<Tokens>::string_function(Keyword word, std::string& text,
     case Keyword::kVstr: {
       Number n;
       std::string part;
-      if (!scalar(x) || !comma() || !read(n, Precedence::kSum) || !comma() ||
-          !string(part, path) || !number_format(format)) {
+      if (!scalar(x) || !comma() || !read(n, Precedence::kSum) || !comma() || !string(part, path) ||
+          !number_format(format)) {
         return false;
       }
       append_vector(text, n, vector_text_size(x), part, format);

@@ -36,10 +36,11 @@ class ExpressionGrammar {
 
  private:
   bool choice(Number& n);
-  bool chosen(Number& n, const Location& where);
   bool binary(Number& left, Precedence least);
   bool operators(Number& left, Precedence least, Precedence most);
-  bool string_comparison(double& x);
+  // Rare; within what is common they would cost each call.
+  [[gnu::cold]] [[gnu::noinline]] bool chosen(Number& n, const Location& where);
+  [[gnu::cold]] [[gnu::noinline]] bool string_comparison(double& x);
   bool primary(Number& n);
   bool prefixed(Number& n, Punct sign);
   bool keyword(Number& n);

@@ -9,10 +9,7 @@
 namespace lentray::parser {
 
 Expressions::Expressions(Interpreter& in)
-    : m_in(in),
-      m_plain_tokens(in),
-      m_script_tokens(in),
-      m_plain(m_plain_tokens),
+    : m_in(in), m_plain_tokens(in), m_script_tokens(in), m_plain(m_plain_tokens),
       m_script(m_script_tokens) {}
 
 // `ahead` tokens come before the expression; an `end` is what must follow it.

@@ -139,8 +139,8 @@ Number ScriptTokens::call_function(const Ref<FunctionDesc>& desc, std::string_vi
   }
   if (count < wanted || !m_tokens.at(Punct::kRightParen)) {
     m_in.fail(m_tokens.location(), "function " + called + " takes " + std::to_string(wanted) +
-                                     " arguments, found " +
-                                     (count < wanted ? std::to_string(count) : "more"));
+                                       " arguments, found " +
+                                       (count < wanted ? std::to_string(count) : "more"));
   }
   m_tokens.skip();
   if (const std::string missing = function.not_yet(); !missing.empty()) {

@@ -80,6 +80,18 @@ class PlainTokens {
     ++m_at;
     return true;
   }
+  bool quick(double& x, Precedence least) {
+    if (!ends_operand(least)) return false;
+    const Number* number = m_at->kind == TokenKind::kIdentifier ? held<Number>(*m_at) : nullptr;
+    if (m_at->kind == TokenKind::kNumber)
+      x = m_at->number;
+    else if (number && number->size == 1)
+      x = number->v[0];
+    else
+      return false;
+    ++m_at;
+    return true;
+  }
   bool quick(Number& n, Precedence least, Location&) { return quick(n, least); }
   static bool quick(std::string&) { return false; }
   bool literal_vector(Number& n);

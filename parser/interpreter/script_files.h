@@ -16,7 +16,7 @@ struct Interpreter;
 struct Symbol;
 struct BinaryFormat;
 
-/// A written file that could not be written whole, as was seen when nobody could be told.
+/// A written file that could not be written whole, which was found where no message could be given.
 struct LostFile {
   Location where;  ///< of its #fopen
   std::string message;

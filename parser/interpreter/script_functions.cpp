@@ -63,7 +63,8 @@ double ScriptTokens::dimension_size() {
   if (which >= 1.0 && which < static_cast<double>(array->sizes.size() + 1))
     return array->sizes[static_cast<std::size_t>(which) - 1];
   m_in.warn(m_tokens.location(), "size of dimension " + std::to_string(core::to_int(which)) +
-                                     " of an array that has " + std::to_string(array->sizes.size()));
+                                     " of an array that has " +
+                                     std::to_string(array->sizes.size()));
   return 0.0;
 }
 

@@ -39,6 +39,7 @@ class ScriptTokens {
   bool quick(Number& n, Precedence least);
   bool quick(Number& n, Precedence least, Location& where);
   bool quick(std::string& text);
+  static bool quick(double&, Precedence) { return false; }
 
   bool literal_vector(Number& n);
   void open_vector();

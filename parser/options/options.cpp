@@ -288,7 +288,7 @@ OptionSources installed_sources() {
 
 namespace {
 
-/// What does not go together is told with the places of what was said.
+/// Options that contradict each other: the message names the places where they were given.
 void settle(RenderOptions& options) {
   try {
     settle_views(options);

@@ -36,11 +36,11 @@ bool cuts(const ObjectDesc& object) {
 
 /// Whether there may be more of an object than stock's box holds. `in_cut`: somewhere in an intersection or difference,
 /// where the surfaces of other parts are seen inside this one beyond its bounds, which box it.
-bool may_stand_out(const ObjectDesc& object, const ObjectDesc* around, bool in_cut) {
+bool may_exceed_box(const ObjectDesc& object, const ObjectDesc* around, bool in_cut) {
   if (!object.rare->clipped_by.empty() || (in_cut && !object.rare->bounded_by.empty())) return true;
   if (const CsgShape* csg = object.csg()) {
     return std::ranges::any_of(*csg->children, [&](const Ref<ObjectDesc>& child) {
-      return may_stand_out(*child, &object, in_cut || cuts(object));
+      return may_exceed_box(*child, &object, in_cut || cuts(object));
     });
   }
   const bool is_cut = around && cuts(*around);
@@ -64,7 +64,7 @@ bool holds(const core::Bounds& box, const core::Bounds& all) {
 /// Stock's box as a gate of `built`, which has its clips. Null where it changes nothing.
 std::shared_ptr<const core::Object> box_gate(const ObjectDesc& object, const core::Transform& outer,
                                              const core::Object& built) {
-  if (!may_stand_out(object, nullptr, false)) return nullptr;
+  if (!may_exceed_box(object, nullptr, false)) return nullptr;
   bool is_whole = true;
   const core::Bounds own = stock_box(object, is_whole);
   if (!is_whole || own.is_empty() || longest_side(own) > kFinite) return nullptr;

@@ -1,6 +1,6 @@
-// Gives a built object its clips, its `inverse` and its gates: regions that a ray must enter to see the object
-// (core/object/gated.h). Gates are the bounds that POV-Ray tests, and POV-Ray's box where it hides something. Also:
-// which unions are replaced by their parts in the scene's list. World space.
+// Gives a built object its clips, its `inverse` and its gates, which a ray must hit for the object to be seen
+// (core/object/gated.h): its `bounded_by` where stock uses it, and stock's bounding box where the object exceeds it.
+// Also: which unions of the scene's list are replaced by their parts there. World space.
 // Source: measured on stock (tests/image/clip_boxes_test.cpp, tests/image/own_bounds_test.cpp,
 // tests/unit/build_objects_test.cpp).
 // Errors: none. Threads: any.
@@ -22,12 +22,12 @@ struct Standing {
 
 using MakeRegion = std::function<std::shared_ptr<const core::Object>(const ObjectDesc&)>;
 
-/// `out` is complete but for its clips, `inverse` and gates; with gates it is wrapped in a core::Gated. `outer` moves
-/// the statement into the world. `make_region` builds a clipping or bounding object, in the world.
+/// `out` is complete but for these; it becomes a core::Gated around itself if it has gates. `outer` is what moves
+/// the statement into the world; `make_region` builds what clips or bounds, in the world.
 void set_limits(const ObjectDesc& object, const core::Transform& outer, const Standing& standing,
                 const MakeRegion& make_region, std::unique_ptr<core::Object>& out);
 
-/// Whether the parts of this object are entries of the scene's list instead of the object.
+/// Whether the parts of this object of the scene's list become entries of the list themselves.
 bool splits_on_list(const ObjectDesc& object);
 
 }  // namespace lentray::parser

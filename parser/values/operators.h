@@ -65,19 +65,34 @@ inline bool operate(Punct op, double& left, double right) {
 }
 
 /// The same for each component.
-inline bool operate(Punct op, Number& left, const Number& right) {
-  if (kOperators.precedence[static_cast<std::size_t>(op)] >= Precedence::kSum)
-    left.is_colour = false;
-  if (left.size == 1 && right.size == 1) return operate(op, left.v[0], right.v[0]);
+template <typename Op>
+void each(Number& left, const Number& right, Op op) {
   Number by = right;
   promote(by, left.size);
   promote(left, by.size);
   left.keeps_rest = false;
-  bool defined = true;
   for (std::size_t i = 0; i < static_cast<std::size_t>(left.size); ++i) {
-    if (!operate(op, left.v[i], by.v[i])) defined = false;
+    left.v[i] = op(left.v[i], by.v[i]);
   }
-  return defined;
+}
+
+inline bool operate(Punct op, Number& left, const Number& right) {
+  if (left.size == 1 && right.size == 1) return operate(op, left.v[0], right.v[0]);
+  if (kOperators.precedence[static_cast<std::size_t>(op)] >= Precedence::kSum)
+    left.is_colour = false;
+  bool defined = true;
+  switch (op) {
+#define LENTRAY_OPERATOR(symbol, binds, binds_in_functions, op, undefined, value) \
+  case Punct::symbol:                                                             \
+    each(left, right, [&defined](double a, double b) -> double {                  \
+      if (undefined) defined = false;                                             \
+      return value;                                                               \
+    });                                                                           \
+    return defined;
+#include "parser/values/operators.def"
+#undef LENTRAY_OPERATOR
+    default: return true;
+  }
 }
 
 }  // namespace lentray::parser
