@@ -20,19 +20,19 @@ struct Small {
 constexpr Small kSpd[] = {{"balls", 2}, {"gears", 2}, {"rings", 2}, {"tetra", 3},
                           {"tree", 6},  {"mount", 4}, {"teapot", 2}};
 
-/// How much is rendered: all scenes as in large pictures, or a few in small ones.
-struct Extent {
+/// How much is rendered: all scenes in large pictures, or a few in small ones.
+struct ShadowCachesExtent {
   std::span<const Small> scenes;
   const char *width, *height;
 };
-constexpr Extent kAll{kSpd, "+W600", "+H400"};
-constexpr Extent kFew{std::span(kSpd, 2), "+W300", "+H200"};
+constexpr ShadowCachesExtent kEverything{kSpd, "+W600", "+H400"};
+constexpr ShadowCachesExtent kFew{std::span(kSpd, 2), "+W300", "+H200"};
 
 class ImageShadowCaches : public ::testing::Test {
  protected:
-  void expect_nearly_all_hits(const Extent& extent) const;
-  void expect_nearly_all_hits_of_auto(const Extent& extent) const;
-  void expect_auto_to_test_least(const Extent& extent) const;
+  void expect_nearly_all_hits(const ShadowCachesExtent& extent) const;
+  void expect_nearly_all_hits_of_auto(const ShadowCachesExtent& extent) const;
+  void expect_auto_to_test_least(const ShadowCachesExtent& extent) const;
   nlohmann::json run(const Small& small, ShadowCachesWords more) const {
     return run_whole(small, std::move(more)).at("shadow");
   }
@@ -64,7 +64,7 @@ class ImageShadowCaches : public ::testing::Test {
 /// The same of all scenes.
 class SlowShadowCaches : public ImageShadowCaches {};
 
-void ImageShadowCaches::expect_nearly_all_hits(const Extent& extent) const {
+void ImageShadowCaches::expect_nearly_all_hits(const ShadowCachesExtent& extent) const {
   for (const Small& small : extent.scenes) {
     for (const char* order : {"rows", "views", "columns", "adaptive"}) {
       const auto s = run(small, {extent.width, extent.height, "-UL", "Shadow_Cache=grid",
@@ -78,11 +78,11 @@ TEST_F(ImageShadowCaches, TheGridHasNearlyAllHitsThereCanBeInAnyOrder) {
   expect_nearly_all_hits(kFew);
 }
 TEST_F(SlowShadowCaches, TheGridHasNearlyAllHitsThereCanBeInAnyOrder) {
-  expect_nearly_all_hits(kAll);
+  expect_nearly_all_hits(kEverything);
 }
 
 // Light buffers foresee what blocks.
-void ImageShadowCaches::expect_nearly_all_hits_of_auto(const Extent& extent) const {
+void ImageShadowCaches::expect_nearly_all_hits_of_auto(const ShadowCachesExtent& extent) const {
   for (const Small& small : extent.scenes) {
     for (const char* order : {"rows", "views", "columns", "adaptive"}) {
       const auto s = run(small, {extent.width, extent.height, std::string("Pixel_Order=") + order});
@@ -95,10 +95,10 @@ TEST_F(ImageShadowCaches, AutoHasThemTooWithLightBuffersInAnyOrder) {
   expect_nearly_all_hits_of_auto(kFew);
 }
 TEST_F(SlowShadowCaches, AutoHasThemTooWithLightBuffersInAnyOrder) {
-  expect_nearly_all_hits_of_auto(kAll);
+  expect_nearly_all_hits_of_auto(kEverything);
 }
 
-void ImageShadowCaches::expect_auto_to_test_least(const Extent& extent) const {
+void ImageShadowCaches::expect_auto_to_test_least(const ShadowCachesExtent& extent) const {
   // Of shapes, by searches and by probes. (A volume that the point is outside of is a test of bounds.)
   const auto tests_with = [&](const Small& small, const char* cache) {
     const auto s =
@@ -118,7 +118,7 @@ TEST_F(ImageShadowCaches, WithLightBuffersAutoTestsLessThanAnyCache) {
   expect_auto_to_test_least(kFew);
 }
 TEST_F(SlowShadowCaches, WithLightBuffersAutoTestsLessThanAnyCache) {
-  expect_auto_to_test_least(kAll);
+  expect_auto_to_test_least(kEverything);
 }
 
 // Which cache it takes is its own affair: it must be worth having.
