@@ -1,6 +1,6 @@
 #!/bin/sh
 # Makes the figures and tables of the docs anew, with the programs in build/release/bin.
-#   tools/figures.sh            what there is: name, page, rough time, command
+#   tools/figures.sh [--list]   what there is: name, page, rough time, command; and the time of all
 #   tools/figures.sh NAME...    these
 #   tools/figures.sh --all      all of them, in many hours; one table
 #   tools/figures.sh --check    whether every command's programs and scripts exist and its page names it
@@ -211,10 +211,18 @@ $commands
 END
 }
 
+# Minutes of all rough times.
+minutes() {
+  figures rough_times | tr -d '()' | awk '$2 == "h" { m += 60 * $1 } $2 == "min" { m += $1 } $2 == "s" { m += $1 / 60 }
+    END { printf "%d h %d min\n", m / 60, m % 60 }'
+}
+rough_times() { echo "$3"; }
+
 case ${1:-} in
-  '')
+  '' | --list)
     figures show
     echo
+    echo "All: about $(minutes)."
     echo 'Put together by hand, no command makes them: docs/batch.png (from screenshots of'
     echo 'tests/batch/page_in_browser.py), docs/stability/poly_pictures.png and coincident.png (from'
     echo 'pictures of test_image).'
@@ -225,7 +233,7 @@ case ${1:-} in
     ;;
   -*) [ "$1" = --all ] || { sed -n '2,/^set /{s/^# \{0,1\}//p;}' "$0"; exit 1; } ;;
 esac
-[ $# -gt 0 ] || exit 0
+case ${1:-} in '' | --list) exit 0 ;; esac
 known=$(figures names | tr '\n' ' ')
 wanted=$*
 [ "$1" != --all ] || wanted=$known

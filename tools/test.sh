@@ -3,7 +3,8 @@
 #   tools/test.sh [PRESET] [further arguments for ctest]    all tests but those labelled slow
 #                                                           PRESET: release (default), dev, ...
 #   tools/test.sh --all                                     everything, in hours: slow tests,
-#                                                           sanitizers, format and tidy; one table
+#                                                           sanitizers, aarch64 by qemu, format and
+#                                           tidy; one table
 set -eu
 cd "$(dirname "$0")/.."
 
@@ -35,7 +36,7 @@ step() {
   began=$(date +%s)
   if "$@" >"build/all/$name.log" 2>&1; then verdict=passed; else verdict=FAILED; fi
   seconds=$(($(date +%s) - began))
-  summary=$(grep -E '^[0-9]+% tests passed|^Total Test time' "build/all/$name.log" | head -1 || true)
+  summary=$(grep -E '^[0-9]+% tests passed|^\[  (PASSED|FAILED)  \] [0-9]+ test' "build/all/$name.log" | head -1 || true)
   printf '| %-12s | %-7s | %6d s | %s\n' "$name" "$verdict" "$seconds" "$summary" >>build/all/table
 }
 run_all() {
@@ -45,6 +46,7 @@ run_all() {
   step slow run_slow_tests
   step asan-ubsan build_and_test asan-ubsan -L unit
   step tsan build_and_test tsan -L unit
+  step aarch64 tools/aarch64.sh
   step format check_format
   step tidy build tidy
   cat build/all/table

@@ -53,7 +53,7 @@ class ImageParametric : public ::testing::TestWithParam<ParametricCase> {};
 
 ::testing::AssertionResult same(const std::string& sdl, Grade grade) {
   return same_as_stock(
-      {.sdl = kParametricStage + sdl, .width = 64, .height = 48, .arguments = {}, .files = {}},
+      {.sdl = kParametricStage + sdl, .width = 40, .height = 30, .arguments = {}, .files = {}},
       grade);
 }
 
@@ -83,8 +83,8 @@ SceneText in_csg(const std::string& surface) {
                                      one +
                                      " clipped_by { plane { x, 0 } } translate <1.3,.7,1>"
                                      " pigment { rgb <.9,.3,.8> } }"),
-          .width = 64,
-          .height = 48,
+          .width = 40,
+          .height = 30,
           .arguments = {},
           .files = {}};
 }

@@ -20,11 +20,19 @@ struct Small {
 constexpr Small kSpd[] = {{"balls", 2}, {"gears", 2}, {"rings", 2}, {"tetra", 3},
                           {"tree", 6},  {"mount", 4}, {"teapot", 2}};
 
+/// How much is rendered: all scenes in large pictures, or a few in small ones.
+struct ShadowCachesExtent {
+  std::span<const Small> scenes;
+  const char *width, *height;
+};
+constexpr ShadowCachesExtent kEverything{kSpd, "+W600", "+H400"};
+constexpr ShadowCachesExtent kFew{std::span(kSpd, 2), "+W300", "+H200"};
+
 class ImageShadowCaches : public ::testing::Test {
  protected:
-  void expect_nearly_all_hits(std::span<const Small> scenes) const;
-  void expect_nearly_all_hits_of_auto(std::span<const Small> scenes) const;
-  void expect_auto_to_test_least(std::span<const Small> scenes) const;
+  void expect_nearly_all_hits(const ShadowCachesExtent& extent) const;
+  void expect_nearly_all_hits_of_auto(const ShadowCachesExtent& extent) const;
+  void expect_auto_to_test_least(const ShadowCachesExtent& extent) const;
   nlohmann::json run(const Small& small, ShadowCachesWords more) const {
     return run_whole(small, std::move(more)).at("shadow");
   }
@@ -55,12 +63,11 @@ class ImageShadowCaches : public ::testing::Test {
 
 /// The same of all scenes.
 class SlowShadowCaches : public ImageShadowCaches {};
-constexpr std::span kFew(kSpd, 2);
 
-void ImageShadowCaches::expect_nearly_all_hits(std::span<const Small> scenes) const {
-  for (const Small& small : scenes) {
+void ImageShadowCaches::expect_nearly_all_hits(const ShadowCachesExtent& extent) const {
+  for (const Small& small : extent.scenes) {
     for (const char* order : {"rows", "views", "columns", "adaptive"}) {
-      const auto s = run(small, {"+W600", "+H400", "-UL", "Shadow_Cache=grid",
+      const auto s = run(small, {extent.width, extent.height, "-UL", "Shadow_Cache=grid",
                                  std::string("Pixel_Order=") + order});
       EXPECT_GE(of_bound(s), 0.95) << small.scene << " " << order;
     }
@@ -71,17 +78,15 @@ TEST_F(ImageShadowCaches, TheGridHasNearlyAllHitsThereCanBeInAnyOrder) {
   expect_nearly_all_hits(kFew);
 }
 TEST_F(SlowShadowCaches, TheGridHasNearlyAllHitsThereCanBeInAnyOrder) {
-  expect_nearly_all_hits(kSpd);
+  expect_nearly_all_hits(kEverything);
 }
 
-// Light buffers foresee what blocks; nothing is remembered.
-void ImageShadowCaches::expect_nearly_all_hits_of_auto(std::span<const Small> scenes) const {
-  for (const Small& small : scenes) {
+// Light buffers foresee what blocks.
+void ImageShadowCaches::expect_nearly_all_hits_of_auto(const ShadowCachesExtent& extent) const {
+  for (const Small& small : extent.scenes) {
     for (const char* order : {"rows", "views", "columns", "adaptive"}) {
-      const auto s = run(small, {"+W600", "+H400", std::string("Pixel_Order=") + order});
+      const auto s = run(small, {extent.width, extent.height, std::string("Pixel_Order=") + order});
       EXPECT_GE(of_bound(s), 0.95) << small.scene << " " << order;
-      EXPECT_EQ(s.at("cache").at("probes"), 0) << small.scene;
-      EXPECT_EQ(s.at("auto").at("cached"), 0) << small.scene;
     }
   }
 }
@@ -90,44 +95,45 @@ TEST_F(ImageShadowCaches, AutoHasThemTooWithLightBuffersInAnyOrder) {
   expect_nearly_all_hits_of_auto(kFew);
 }
 TEST_F(SlowShadowCaches, AutoHasThemTooWithLightBuffersInAnyOrder) {
-  expect_nearly_all_hits_of_auto(kSpd);
+  expect_nearly_all_hits_of_auto(kEverything);
 }
 
-void ImageShadowCaches::expect_auto_to_test_least(std::span<const Small> scenes) const {
+void ImageShadowCaches::expect_auto_to_test_least(const ShadowCachesExtent& extent) const {
   // Of shapes, by searches and by probes. (A volume that the point is outside of is a test of bounds.)
   const auto tests_with = [&](const Small& small, const char* cache) {
-    const auto s = run_whole(small, {"+W600", "+H400", std::string("Shadow_Cache=") + cache});
+    const auto s =
+        run_whole(small, {extent.width, extent.height, std::string("Shadow_Cache=") + cache});
     return number(s.at("tests").at("primitives")) + number(s.at("shadow").at("cache").at("probes"));
   };
   constexpr const char* kCaches[] = {"last", "neighbourhood", "grid", "cascade"};
   double of_auto = 0.0;
   std::map<std::string, double> of_cache;
-  for (const Small& small : scenes) {
-    const double tests = tests_with(small, "auto");
-    EXPECT_EQ(tests, tests_with(small, "off")) << small.scene;
-    of_auto += tests;
+  for (const Small& small : extent.scenes) {
+    of_auto += tests_with(small, "auto");
     for (const char* cache : kCaches) of_cache[cache] += tests_with(small, cache);
   }
   for (const auto& [cache, tests] : of_cache) EXPECT_LT(of_auto, tests) << cache;
 }
-TEST_F(ImageShadowCaches, WithLightBuffersAutoAsksNoCacheAndTestsLeast) {
+TEST_F(ImageShadowCaches, WithLightBuffersAutoTestsLessThanAnyCache) {
   expect_auto_to_test_least(kFew);
 }
-TEST_F(SlowShadowCaches, WithLightBuffersAutoAsksNoCacheAndTestsLeast) {
-  expect_auto_to_test_least(kSpd);
+TEST_F(SlowShadowCaches, WithLightBuffersAutoTestsLessThanAnyCache) {
+  expect_auto_to_test_least(kEverything);
 }
 
-// The rule: without a light buffer, what `neighbourhood` does.
-TEST_F(ImageShadowCaches, WithoutLightBuffersAutoIsTheNeighbourhood) {
+// Which cache it takes is its own affair: it must be worth having.
+TEST_F(ImageShadowCaches, WithoutLightBuffersAutoFindsMoreThanTheLastBlockerAndTestsLess) {
+  double of_auto = 0.0, of_last = 0.0;
   for (const Small& small : kSpd) {
     const auto with = [&](const char* cache) {
       return run(small, {"+W240", "+H180", "-UL", std::string("Shadow_Cache=") + cache});
     };
-    const auto s = with("auto");
-    EXPECT_EQ(s.at("auto").at("cached"), s.at("rays")) << small.scene;
-    EXPECT_EQ(s.at("cache"), with("neighbourhood").at("cache")) << small.scene;
-    EXPECT_GT(number(s.at("cache").at("hits")), 0.0) << small.scene;
+    const auto own = with("auto"), last = with("last");
+    EXPECT_GT(of_bound(own), of_bound(last)) << small.scene;
+    of_auto += tests(own);
+    of_last += tests(last);
   }
+  EXPECT_LT(of_auto, of_last);
 }
 
 // Also where next to nothing is blocked, as of tetra and tree.
@@ -168,8 +174,8 @@ TEST_F(ImageShadowCaches, TheCascadeIsBetweenTheNeighbourhoodAndTheGrid) {
   }
 }
 
-// The rule of Pixel_Order=auto: serpentine on a sheet. Counts of the cache `last`.
-TEST_F(ImageShadowCaches, TheOrderOfAutoOnASheetIsSerpentineWhichTestsLeast) {
+// By counts of the cache `last`. Which of the orders it is does not matter.
+TEST_F(ImageShadowCaches, TheOrderOfAutoOnASheetTestsNoMoreThanAnyOther) {
   std::map<std::string, double> of_order;
   for (const Small& small : kSpd) {
     for (const char* order :
@@ -177,7 +183,6 @@ TEST_F(ImageShadowCaches, TheOrderOfAutoOnASheetIsSerpentineWhichTestsLeast) {
       of_order[order] += tests(run(small, {"+W300", "+H200", "-UL", "Shadow_Cache=last",
                                            std::string("Pixel_Order=") + order}));
     }
-    EXPECT_EQ(of_order["auto"], of_order["serpentine"]) << small.scene;
   }
   for (const auto& [order, all] : of_order) EXPECT_LE(of_order["auto"], all) << order;
 }

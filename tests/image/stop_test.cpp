@@ -48,7 +48,8 @@ class Running {
     const int out = ::open(log.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0666);
     ::dup2(out, STDERR_FILENO);
     ::dup2(::open("/dev/null", O_WRONLY), STDOUT_FILENO);
-    ::signal(SIGHUP, SIG_DFL);  // which nohup, around the tests, has it ignore
+    // Which nohup, or a shell that runs the tests in the background, has them ignore.
+    for (const int number : {SIGHUP, SIGINT, SIGTERM}) ::signal(number, SIG_DFL);
     if (ignored != 0) ::signal(ignored, SIG_IGN);
     if (::chdir(in.c_str()) == 0) ::execv(words[0], words.data());
     ::_exit(127);
