@@ -215,6 +215,8 @@ struct Hierarchy::Impl {
 
   std::vector<std::string> types;
   std::uint8_t any_flags = 0;  ///< of any object
+  std::uint32_t
+      listed;  ///< objects of the scene; ObjectEntry::index of finite ones counts on from there
   std::size_t infinite = 0;
   Bounds bounds;
   std::optional<ObjectTree> all;
@@ -296,9 +298,10 @@ std::uint8_t Hierarchy::Impl::type_of(const Object& object) {
 }
 
 Hierarchy::Impl::Impl(const std::vector<std::unique_ptr<Object>>& objects, Accelerator accelerator,
-                      bool portable) {
-  ObjectList listed;
-  listed.reserve(objects.size());
+                      bool portable)
+    : listed(static_cast<std::uint32_t>(objects.size())) {
+  ObjectList list;
+  list.reserve(objects.size());
   for (std::size_t i = 0; i < objects.size(); ++i) {
     const Object& object = *objects[i];
     const Bounds box = object.bounds();
@@ -312,26 +315,26 @@ Hierarchy::Impl::Impl(const std::vector<std::unique_ptr<Object>>& objects, Accel
     if (!box.is_finite()) {
       ++infinite;
     } else {
-      entry.index += static_cast<std::uint32_t>(objects.size());
+      entry.index += listed;
       for (int axis = 0; axis < 3; ++axis) {
         reach = std::max({reach, std::fabs(box.lo[axis]), std::fabs(box.hi[axis])});
       }
     }
     any_flags |= entry.flags;
-    listed.add(entry, box);
+    list.add(entry, box);
   }
   if ((any_flags & (kNoShadow | kTransparent)) != 0) {
     ObjectList casters, filtering;
-    casters.reserve(listed.entries.size());
-    for (std::size_t i = 0; i < listed.entries.size(); ++i) {
-      const ObjectEntry& entry = listed.entries[i];
+    casters.reserve(list.entries.size());
+    for (std::size_t i = 0; i < list.entries.size(); ++i) {
+      const ObjectEntry& entry = list.entries[i];
       if (entry.flags & kNoShadow) continue;
-      (entry.flags & kTransparent ? filtering : casters).add(entry, listed.boxes[i]);
+      (entry.flags & kTransparent ? filtering : casters).add(entry, list.boxes[i]);
     }
     opaque.emplace(std::move(casters), accelerator, portable);
     filters.emplace(std::move(filtering), accelerator, portable);
   }
-  all.emplace(std::move(listed), accelerator, portable);
+  all.emplace(std::move(list), accelerator, portable);
 }
 
 Hierarchy::Hierarchy(const std::vector<std::unique_ptr<Object>>& objects, Accelerator accelerator,
@@ -383,6 +386,24 @@ void Hierarchy::all_transparent(const Ray& ray, double t_min, double t_max, bool
   }
   NoTally none;
   m_impl->all_transparent(ray, t_min, t_max, nearest, hits, arena, none);
+}
+
+void Hierarchy::containing(const Vec3& p, std::vector<const Object*>& out) const {
+  out.clear();
+  std::vector<const ObjectEntry*> found;  // no memory unless there are any
+  m_impl->all->at_point(p, [&](const ObjectEntry& e) {
+    const Bounds box = e.object->solid_bounds();
+    if (!box.contains(p)) return;
+    if (!box.is_finite()) {
+      const Bounds surface = e.object->bounds();
+      if (surface.is_finite() && !surface.contains(p)) return;
+    }
+    if (e.object->inside(p)) found.push_back(&e);
+  });
+  const auto place = [n = m_impl->listed](const ObjectEntry* e) { return e->index % n; };
+  std::sort(found.begin(), found.end(),
+            [&place](const ObjectEntry* a, const ObjectEntry* b) { return place(a) < place(b); });
+  for (const ObjectEntry* e : found) out.push_back(e->object);
 }
 
 const Bounds& Hierarchy::bounds() const { return m_impl->bounds; }

@@ -40,6 +40,11 @@ class Hierarchy {
   void all_transparent(const Ray& ray, double t_min, double t_max, bool nearest,
                        std::vector<Hit>& hits, HitArena& arena, Counters* counters) const;
 
+  /// The objects whose inside holds the point, in the scene's order; replaces `out`. Every solid counts, hollow
+  /// ones and ones without an `interior` too, and each part of a union that is split. Solids without end,
+  /// such as the half of space behind a disc, count within the box of their surface.
+  void containing(const Vec3& p, std::vector<const Object*>& out) const;
+
   /// Of all objects that can be met.
   const Bounds& bounds() const;
   bool has_infinite() const;

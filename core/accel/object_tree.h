@@ -56,6 +56,10 @@ class ObjectTree {
   template <class Search>
   void search_objects(Search& what, double t_max) const;
 
+  /// Calls visit(entry) for the objects with a box that may hold the point, in any order.
+  template <class Visit>
+  void at_point(const Vec3& point, Visit&& visit) const;
+
   bool empty() const { return m_entries.empty() && m_unbounded.empty(); }
   std::size_t objects() const { return m_entries.size() + m_unbounded.size(); }
   /// Empty with another accelerator.
@@ -81,12 +85,26 @@ class ObjectTree {
   struct LeafOfObjects;
 
   static Kind kind_of(const Object& object);
+  /// The objects of a leaf.
+  std::span<const ObjectEntry> entries_of(std::uint32_t code) const {
+    const std::uint32_t index = code & kIndexMask;
+    const auto of_pack = [&](const auto& pack) {
+      return std::span(m_entries).subspan(pack.first, pack.count);
+    };
+    switch (code >> kKindShift) {
+      case kSpheres: return of_pack(m_spheres[index]);
+      case kTriangles: return of_pack(m_triangles[index]);
+      case kPolygons: return of_pack(m_polygons[index]);
+      default:
+        return std::span(m_entries).subspan(index & ((1u << kFirstBits) - 1), index >> kFirstBits);
+    }
+  }
   std::uint32_t code_of(std::uint32_t first, std::uint32_t count, Kind kind);
 
   template <class Search>
-  bool each(const ObjectEntry* e, std::uint32_t count, Search& what) const {
-    for (; count > 0; --count, ++e) {
-      if (what.object(*e)) return true;
+  static bool each(std::span<const ObjectEntry> entries, Search& what) {
+    for (const ObjectEntry& e : entries) {
+      if (what.object(e)) return true;
     }
     return false;
   }
@@ -100,12 +118,11 @@ class ObjectTree {
       const double t = plane_crossing(m_planes[i].normal, m_planes[i].distance, what.ray);
       if (t > what.t_min && t < what.limit() && what.plane(t, e)) return true;
     }
-    return each(m_unbounded.data() + m_planes.size(),
-                static_cast<std::uint32_t>(m_unbounded.size() - m_planes.size()), what);
+    return each(std::span(m_unbounded).subspan(m_planes.size()), what);
   }
   template <class Search>
   bool others(std::uint32_t code, Search& what) const {
-    return each(m_entries.data() + (code & ((1u << kFirstBits) - 1)), code >> kFirstBits, what);
+    return each({m_entries.data() + (code & ((1u << kFirstBits) - 1)), code >> kFirstBits}, what);
   }
 
   void keep_bounded(ObjectList objects);
@@ -197,19 +214,7 @@ struct ObjectTree::LeafOfObjects {
   const ObjectTree& in;
   Search& what;
 
-  template <class Pack>
-  bool pack(const Pack& p) {
-    return in.each(in.m_entries.data() + p.first, p.count, what);
-  }
-  bool operator()(std::uint32_t code, double&) {
-    const std::uint32_t index = code & kIndexMask;
-    switch (code >> kKindShift) {
-      case kSpheres: return pack(in.m_spheres[index]);
-      case kTriangles: return pack(in.m_triangles[index]);
-      case kPolygons: return pack(in.m_polygons[index]);
-      default: return in.others(index, what);
-    }
-  }
+  bool operator()(std::uint32_t code, double&) { return in.each(in.entries_of(code), what); }
 };
 
 template <class Search, class Limit>
@@ -276,7 +281,7 @@ void ObjectTree::search(Search& what) const {
 
 template <class Search>
 void ObjectTree::search_objects(Search& what, double t_max) const {
-  if (each(m_unbounded.data(), static_cast<std::uint32_t>(m_unbounded.size()), what)) return;
+  if (each(m_unbounded, what)) return;
   if (m_tree.empty()) {
     const auto limit = [t_max] { return t_max; };
     m_grid.empty() ? search_list(what, limit) : search_cells_at_once(what, t_max);
@@ -288,6 +293,19 @@ void ObjectTree::search_objects(Search& what, double t_max) const {
   } else {
     m_tree.traverse_portable(what.ray, kBoxesFrom, t_max, leaf, what.tally);
   }
+}
+
+template <class Visit>
+void ObjectTree::at_point(const Vec3& point, Visit&& visit) const {
+  for (const ObjectEntry& e : m_unbounded) visit(e);
+  if (m_tree.empty()) {
+    for (const ObjectEntry& e : m_entries) visit(e);
+    return;
+  }
+  m_tree.at_point(point, [&](std::uint32_t code) {
+    for (const ObjectEntry& e : entries_of(code)) visit(e);
+    return false;
+  });
 }
 
 }  // namespace lentray::core

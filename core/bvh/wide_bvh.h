@@ -203,7 +203,8 @@ class WideBvh {
     return has_avx2() ? traverse_avx2<true>(ray, t_min, t_max, leaf, nothing)
                       : traverse_portable(ray, t_min, t_max, leaf, nothing);
   }
-  /// Calls leaf(first, count), true to end, for the leaves with a box that may hold the point.
+  /// Calls leaf(first, count) or leaf(code), true to end, for the leaves with a box that may hold the
+  /// point.
   template <class Leaf>
   bool at_point(const Vec3& point, Leaf&& leaf) const;
 
@@ -421,7 +422,11 @@ bool WideBvh::at_point(const Vec3& point, Leaf&& leaf) const {
   while (top != 0) {
     const std::uint32_t at = stack[--top];
     if (at & WideNode::kLeaf) {
-      if (leaf(first_of(at), count_of(at))) return true;
+      if constexpr (std::is_invocable_v<Leaf&, std::uint32_t, std::uint32_t>) {
+        if (leaf(first_of(at), count_of(at))) return true;
+      } else {
+        if (leaf(at & ~WideNode::kLeaf)) return true;
+      }
       continue;
     }
     const WideNode& node = m_nodes[at];

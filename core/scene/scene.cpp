@@ -15,7 +15,6 @@
 #include "core/object/csg.h"
 #include "core/scene/many_lights.h"
 #include "core/scene/needs_finder.h"
-#include "core/scene/solid_index.h"
 #include "core/scene/tolerances.h"
 
 namespace lentray::core {
@@ -124,7 +123,6 @@ Scene::Scene(SceneParts parts, const CompileOptions& options)
   m_needs = find_needs(m_parts);
   m_needs.infinite_objects = m_hierarchy->has_infinite();
   if (options.general_path) m_needs = everything_needed(std::move(m_needs), m_parts.settings);
-  m_solids = std::make_unique<SolidIndex>(m_parts.objects);
   m_light_buffers.resize(m_parts.lights.size());
 }
 
@@ -151,9 +149,5 @@ void Scene::build_light_buffers(std::uint64_t camera_rays) {
 }
 
 Scene::~Scene() = default;
-
-void Scene::containing(const Vec3& p, std::vector<const Object*>& out) const {
-  m_solids->containing(p, out);
-}
 
 }  // namespace lentray::core

@@ -27,7 +27,6 @@ namespace lentray::core {
 
 class Hierarchy;
 class LightBuffer;
-class SolidIndex;
 
 /// From global_settings and the atmosphere; defaults are stock's under `#version 3.7`.
 struct SceneSettings {
@@ -121,14 +120,9 @@ class Scene {
   double tolerance_scale() const { return m_tolerance_scale; }
   /// Objects after splitting top-level unions; the hierarchy and the cache speak of these.
   const std::vector<std::unique_ptr<Object>>& objects() const { return m_parts.objects; }
-  /// Objects whose inside holds the point (a ray may start there), scene order. Every solid
-  /// counts, hollow ones and ones without an `interior` too; of the parts of one
-  /// union that share an interior only the first.
-  void containing(const Vec3& p, std::vector<const Object*>& out) const;
 
  private:
   SceneParts m_parts;
-  std::unique_ptr<SolidIndex> m_solids;
   std::unique_ptr<Hierarchy> m_hierarchy;
   const Accelerator m_accelerator;
   std::vector<std::unique_ptr<LightBuffer>> m_light_buffers;  ///< one a light, null where none

@@ -6,6 +6,7 @@
 
 #include <vector>
 
+#include "core/accel/hierarchy.h"
 #include "core/scene/scene.h"
 #include "core/trace/interior_table.h"
 
@@ -27,7 +28,7 @@ class StartInteriors {
     m_start = start;
     m_known = true;
     m_entries.clear();
-    m_scene.containing(start, m_objects);
+    m_scene.hierarchy().containing(start, m_objects);
     for (const Object* object : m_objects) {
       m_entries.push_back(interior_of(object->attributes(), object));
     }
