@@ -275,14 +275,7 @@ struct Hierarchy::Impl {
 void Hierarchy::Impl::flush(const Tally& tally, Counters& counters) const {
   counters.bounds_tests += tally.boxes;
   for (std::size_t i = 0; i < types.size(); ++i) {
-    if (tally.tests[i] == 0) continue;
-    counters.primitive_tests += tally.tests[i];
-    const auto at = counters.tests_by_type.find(types[i]);
-    if (at != counters.tests_by_type.end()) {
-      at->second += tally.tests[i];
-    } else {
-      counters.tests_by_type.emplace(types[i], tally.tests[i]);
-    }
+    if (tally.tests[i] != 0) counters.add_tests(types[i], tally.tests[i]);
   }
 }
 

@@ -13,21 +13,11 @@
 namespace lentray::core {
 namespace {
 
-void count(Counters& counters, const Object& object) {
-  ++counters.primitive_tests;
-  const auto at = counters.tests_by_type.find(object.name());
-  if (at != counters.tests_by_type.end()) {
-    ++at->second;
-  } else {
-    counters.tests_by_type.emplace(object.name(), 1);
-  }
-}
-
 /// What a search counts; the other policy is empty and costs nothing. To find a point outside a volume
 /// is a test of bounds.
 struct Tally {
   Counters& counters;
-  void test(const Object* object) const { count(counters, *object); }
+  void test(const Object* object) const { counters.add_tests(object->name(), 1); }
   void outside() const { ++counters.bounds_tests; }
 };
 struct NoTally {
@@ -159,7 +149,7 @@ void LightBuffer::all_transparent(const Spot& spot, const Ray& ray, double t_min
                                   Counters* counters) const {
   const auto ask = [&](const Caster& caster) {
     if (caster.object == spot.unmet) return;
-    if (counters) count(*counters, *caster.object);
+    if (counters) counters->add_tests(caster.object->name(), 1);
     const std::size_t before = hits.size();
     add_hits(*caster.object, ray, t_min, t_max, nearest, hits, arena);
     for (std::size_t i = before; i < hits.size(); ++i) {

@@ -1,9 +1,5 @@
 #include "core/accel/light_casters.h"
 
-#include <typeinfo>
-
-#include "core/shape/plane.h"
-
 namespace lentray::core {
 
 LightCasters::LightCasters(const std::vector<std::unique_ptr<Object>>& objects) {
@@ -15,9 +11,8 @@ LightCasters::LightCasters(const std::vector<std::unique_ptr<Object>>& objects) 
     if (bounds.is_empty()) continue;
     const Shape* shape = plain_shape(object);
     const bool opaque = object.is_opaque();
-    const bool is_plane = opaque && shape && typeid(*shape) == typeid(Plane);
     const std::size_t place = bounds.is_finite() ? i + objects.size() : i;  // as the hierarchy's
-    m_list.push_back({&object, shape, is_plane ? static_cast<const Plane*>(shape) : nullptr, bounds,
+    m_list.push_back({&object, shape, opaque ? plain_plane(object) : nullptr, bounds,
                       static_cast<std::uint32_t>(place), light_kind(shape), opaque});
   }
 }

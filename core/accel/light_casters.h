@@ -8,11 +8,9 @@
 
 #include "core/accel/light_drawing.h"
 #include "core/base/bounds.h"
-#include "core/object/object.h"
+#include "core/object/leaf.h"
 
 namespace lentray::core {
-
-class Plane;
 
 struct LightCaster {
   const Object* object;

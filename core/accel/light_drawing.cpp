@@ -83,12 +83,6 @@ LightKind light_kind(const Shape* shape) {
   return type == typeid(Box) ? LightKind::kBox : LightKind::kAny;
 }
 
-const Shape* plain_shape(const Object& object) {
-  if (typeid(object) != typeid(Leaf)) return nullptr;
-  const auto& leaf = static_cast<const Leaf&>(object);
-  return leaf.transform() || !leaf.clips().empty() ? nullptr : &leaf.shape();
-}
-
 /// Into m_points: the ends of its edges in pairs, relative to the light.
 void LightDrawing::triangle_ends(const Shape& shape) {
   const auto& p = static_cast<const TriangleShape&>(shape).vertices();

@@ -15,9 +15,6 @@ namespace lentray::core {
 enum class LightKind : std::uint8_t { kAny, kSphere, kPolygon, kTriangle, kBox };
 LightKind light_kind(const Shape* shape);
 
-/// The object's shape if it has no transform, clip or gate; else null.
-const Shape* plain_shape(const Object& object);
-
 /// The box relative to the light.
 inline Bounds relative(const Bounds& b, const Vec3& light) { return {b.lo - light, b.hi - light}; }
 

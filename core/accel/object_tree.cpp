@@ -12,25 +12,9 @@
 #include "core/shape/triangle.h"
 
 namespace lentray::core {
-namespace {
-
-/// Only bare leaves whose shape is already in the world may be tested without the object.
-const Shape* bare_shape(const Object& object) {
-  if (!object.clips().empty()) return nullptr;
-  if (typeid(object) != typeid(Leaf)) return nullptr;
-  const auto& leaf = static_cast<const Leaf&>(object);
-  return leaf.transform() ? nullptr : &leaf.shape();
-}
-
-const Plane* bare_plane(const Object& object) {
-  const Shape* shape = bare_shape(object);
-  return shape && typeid(*shape) == typeid(Plane) ? static_cast<const Plane*>(shape) : nullptr;
-}
-
-}  // namespace
 
 ObjectTree::Kind ObjectTree::kind_of(const Object& object) {
-  const Shape* bare = bare_shape(object);
+  const Shape* bare = plain_shape(object);
   if (!bare) return kOthers;
   const Shape& shape = *bare;
   const std::type_info& type = typeid(shape);
@@ -46,10 +30,10 @@ ObjectTree::ObjectTree(ObjectList objects, Accelerator accelerator, bool portabl
     : m_avx2(!portable && has_avx2()) {
   keep_bounded(std::move(objects));
   std::stable_partition(m_unbounded.begin(), m_unbounded.end(), [](const ObjectEntry& entry) {
-    return bare_plane(*entry.object) != nullptr;
+    return plain_plane(*entry.object) != nullptr;
   });
   for (const ObjectEntry& entry : m_unbounded) {
-    const Plane* plane = bare_plane(*entry.object);
+    const Plane* plane = plain_plane(*entry.object);
     if (!plane) break;
     m_planes.push_back({plane->unit_normal(), plane->distance()});
   }

@@ -16,4 +16,14 @@ void Counters::merge(const Counters& other) {
   for (std::size_t i = 0; i < other.lights.size(); ++i) lights[i].add(other.lights[i]);
 }
 
+void Counters::add_tests(std::string_view type, std::uint64_t number) {
+  primitive_tests += number;
+  const auto at = tests_by_type.find(type);
+  if (at != tests_by_type.end()) {
+    at->second += number;
+  } else {
+    tests_by_type.emplace(type, number);
+  }
+}
+
 }  // namespace lentray::core

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <map>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace lentray::core {
@@ -32,6 +33,7 @@ struct Counters {
   std::map<std::string, std::uint64_t, std::less<>> tests_by_type;  ///< filled when merging
   std::vector<ShadowCounts> lights;                                 ///< one a light of the scene
   void merge(const Counters& other);
+  void add_tests(std::string_view type, std::uint64_t number);
 };
 
 }  // namespace lentray::core

@@ -10,10 +10,18 @@ namespace lentray::core {
 namespace {
 
 constexpr double kCoincide = 1e-9;  ///< of the distances: roundings of hits stay below
+constexpr double kOfFar = 1e-9;     ///< of the largest t: its rounding
 
 /// The sizes that the rounding of a hit at t goes by.
 double distances(const Ray& ray, double t) {
   return std::fabs(t) + std::fabs(ray.origin.x) + std::fabs(ray.origin.y) + std::fabs(ray.origin.z);
+}
+
+/// Of t, by where the ray begins.
+double rounding_of_place(const Ray& ray) {
+  constexpr double kOfPlace = 1e-11;
+  const auto size = [](const Vec3& v) { return std::fabs(v.x) + std::fabs(v.y) + std::fabs(v.z); };
+  return kOfPlace * size(ray.origin) / size(ray.direction);
 }
 
 std::string_view keyword(CsgKind kind) {
@@ -58,12 +66,7 @@ struct Csg::Chord {
       to = std::max(to, hit.t);
       first = std::min(first, hit.t);
     }
-    constexpr double kShare = 1e-9, kOfPlace = 1e-11;
-    const auto size = [](const Vec3& v) {
-      return std::fabs(v.x) + std::fabs(v.y) + std::fabs(v.z);
-    };
-    const double slack = kShare * (std::fabs(first) + std::fabs(to)) +
-                         kOfPlace * size(ray.origin) / size(ray.direction);
+    const double slack = kOfFar * (std::fabs(first) + std::fabs(to)) + rounding_of_place(ray);
     if (convex && found.size() > 1) from = first - slack;
     to += slack;
   }
@@ -189,12 +192,9 @@ bool Csg::every_inside(const Vec3& p, std::size_t except) const {
     if (i != except && !m_children[i]->inside(p)) return false;
   }
   std::size_t beyond = search.out_beyond;
-  if (except < m_fences.size() && !m_fences[except].beyond && m_fences[except].decide.is_finite() &&
-      !m_fences[except].decide.contains(p)) {
-    --beyond;
-  } else if (except < m_fences.size() && !m_fences[except].beyond &&
-             m_fences[except].decide.is_empty()) {
-    --beyond;
+  if (except < m_fences.size() && !m_fences[except].beyond) {
+    const Bounds& decide = m_fences[except].decide;
+    if (decide.is_empty() || (decide.is_finite() && !decide.contains(p))) --beyond;
   }
   const bool missing = search.solids.at_point(p, [&](std::uint32_t first, std::uint32_t count) {
     for (std::uint32_t place = first; place < first + count; ++place) {
@@ -349,9 +349,7 @@ void Csg::for_boxes_met(const Ray& ray, double t_min, double t_max, Visit&& visi
 template <class Visit>
 [[gnu::noinline]] void Csg::for_kept_of_overlap(const Ray& ray, double t_min, double t_max,
                                                 const RayQuery& query, Visit&& visit) const {
-  constexpr double kShare = 1e-9, kOfPlace = 1e-11;
-  const auto size = [](const Vec3& v) { return std::fabs(v.x) + std::fabs(v.y) + std::fabs(v.z); };
-  const double of_place = kOfPlace * size(ray.origin) / size(ray.direction);
+  const double of_place = rounding_of_place(ray);
   Overlap overlap;
   double far = 0.0, slack = 0.0;
   ScratchHits scratch(query.arena);
@@ -367,7 +365,7 @@ template <class Visit>
       to = std::max(to, hits[k].t);
     }
     far = std::max({far, std::fabs(from), std::fabs(to)});
-    slack = 2.0 * kShare * far + of_place;
+    slack = 2.0 * kOfFar * far + of_place;
     overlap.add(i, hits.size() - first > 1 ? from : -Bounds::kInf, to);
     if (overlap.is_empty(slack) || overlap.enter[0] - slack > t_max) return;
   }

@@ -1,5 +1,8 @@
 #include "core/object/leaf.h"
 
+#include <typeinfo>
+
+#include "core/shape/plane.h"
 #include "core/shape/poly.h"
 
 namespace lentray::core {
@@ -134,6 +137,16 @@ Vec3 Leaf::normal(const Vec3& world_point, const ShapeHit& hit) const {
 Vec2 Leaf::uv(const Vec3& world_point, const ShapeHit& hit) const {
   if (!m_shape->traits().has_uv || !m_moved) return m_shape->uv(world_point, hit);
   return m_shape->uv(m_moved->transform.inverse_point(world_point), hit);
+}
+
+const Shape* plain_shape(const Object& object) {
+  if (typeid(object) != typeid(Leaf)) return nullptr;
+  const auto& leaf = static_cast<const Leaf&>(object);
+  return leaf.transform() || !leaf.clips().empty() ? nullptr : &leaf.shape();
+}
+
+const Plane* plain_plane(const Object& object) {
+  return dynamic_cast<const Plane*>(plain_shape(object));
 }
 
 }  // namespace lentray::core

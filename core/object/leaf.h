@@ -12,6 +12,8 @@
 
 namespace lentray::core {
 
+class Plane;
+
 /// A shape in the world.
 class Leaf final : public Object {
  public:
@@ -58,5 +60,10 @@ class Leaf final : public Object {
   std::unique_ptr<Shape> m_shape;
   std::unique_ptr<const Moved> m_moved;  ///< null: the shape is in world space
 };
+
+/// The object's shape if it has no transform, clip or gate; else null.
+const Shape* plain_shape(const Object& object);
+/// The same of planes alone.
+const Plane* plain_plane(const Object& object);
 
 }  // namespace lentray::core

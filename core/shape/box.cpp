@@ -10,14 +10,14 @@ Box::Box(const Vec3& corner1, const Vec3& corner2) {
   m_hi = b.hi;
 }
 
-/// Where the ray's line enters and leaves; false if it misses. Written without branches on the
+/// Where the ray's line enters and leaves; 0 if it misses. Written without branches on the
 /// direction's signs. Where sides are hit together the lower axis gives the normal.
-bool Box::interval(const Ray& ray, ShapeHit& in, ShapeHit& out) const {
+int Box::crossings(const Ray& ray, double, double, bool, Crossing* out) const {
   double near[3], far[3], enter = -Bounds::kInf, leave = Bounds::kInf;
   for (int i = 0; i < 3; ++i) {
     const double o = ray.origin[i], d = ray.direction[i];
     if (d == 0.0) {
-      if (o < m_lo[i] || o > m_hi[i]) return false;
+      if (o < m_lo[i] || o > m_hi[i]) return 0;
       near[i] = -Bounds::kInf;
       far[i] = Bounds::kInf;
       continue;
@@ -27,31 +27,15 @@ bool Box::interval(const Ray& ray, ShapeHit& in, ShapeHit& out) const {
     far[i] = std::max(lower, upper);
     enter = std::max(enter, near[i]);
     leave = std::min(leave, far[i]);
-    if (!(enter <= leave)) return false;
+    if (!(enter <= leave)) return 0;
   }
-  in.t = enter;
-  out.t = leave;
-  const int first = in.t == near[0] ? 0 : in.t == near[1] ? 1 : 2;
-  const int last = out.t == far[0] ? 0 : out.t == far[1] ? 1 : 2;
-  in.element = static_cast<std::uint32_t>(2 * first + (ray.direction[first] > 0.0 ? 0 : 1));
-  out.element = static_cast<std::uint32_t>(2 * last + (ray.direction[last] > 0.0 ? 1 : 0));
-  return true;
-}
-
-bool Box::nearest(const Ray& ray, double t_min, double t_max, ShapeHit& hit) const {
-  ShapeHit in, out;
-  if (!interval(ray, in, out)) return false;
-  const ShapeHit& first = in.t > t_min ? in : out;
-  if (!(first.t > t_min && first.t < t_max)) return false;
-  hit = first;
-  return true;
-}
-
-void Box::all(const Ray& ray, double t_min, double t_max, ShapeHits& hits) const {
-  ShapeHit in, out;
-  if (!interval(ray, in, out)) return;
-  if (in.t > t_min && in.t < t_max) hits.push_back(in);
-  if (out.t > t_min && out.t < t_max) hits.push_back(out);
+  const int first = enter == near[0] ? 0 : enter == near[1] ? 1 : 2;
+  const int last = leave == far[0] ? 0 : leave == far[1] ? 1 : 2;
+  const int in = 2 * first + (ray.direction[first] > 0.0 ? 0 : 1);
+  const int out_of = 2 * last + (ray.direction[last] > 0.0 ? 1 : 0);
+  out[0] = {enter, static_cast<std::uint32_t>(in)};
+  out[1] = {leave, static_cast<std::uint32_t>(out_of)};
+  return 2;
 }
 
 Vec3 Box::normal(const Vec3&, const ShapeHit& hit) const {

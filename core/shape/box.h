@@ -1,11 +1,11 @@
 // box { corner, corner }. Space: object. Source: reference manual 3.7, "Box".
 #pragma once
 
-#include "core/shape/shape.h"
+#include "core/shape/crossings.h"
 
 namespace lentray::core {
 
-class Box final : public Shape {
+class Box final : public FewCrossings<Box, Crossing, 2> {
  public:
   /// Any two opposite corners.
   Box(const Vec3& corner1, const Vec3& corner2);
@@ -17,8 +17,6 @@ class Box final : public Shape {
     return {.name = "box", .convexity = Convexity::kConvex, .has_uv = true, .is_seen_afar = true};
   }
   Bounds box(const Transform* move) const override { return moved_box({m_lo, m_hi}, move); }
-  bool nearest(const Ray& ray, double t_min, double t_max, ShapeHit& hit) const override;
-  void all(const Ray& ray, double t_min, double t_max, ShapeHits& hits) const override;
   bool holds(const Vec3& p, bool inverse) const override {
     return Bounds{m_lo, m_hi}.contains(p) != inverse;
   }
@@ -29,7 +27,8 @@ class Box final : public Shape {
   std::unique_ptr<Shape> baked(const Transform& t) const override;
 
  private:
-  bool interval(const Ray& ray, ShapeHit& in, ShapeHit& out) const;
+  friend FewCrossings;
+  int crossings(const Ray& ray, double t_min, double t_max, bool first_alone, Crossing* out) const;
   Vec3 m_lo, m_hi;
 };
 

@@ -8,7 +8,7 @@ namespace lentray::core {
 /// The crossings of the whole line, 0 to 2, ascending; none if none is beyond t_min. Between its ends' planes the cone is
 /// convex, so that its solid is one stretch of the line: f = (distance from axis)^2 - radius^2
 /// is not positive there.
-int Cone::crossings(const Ray& ray, double t_min, Crossing out[2]) const {
+int Cone::crossings(const Ray& ray, double t_min, double, bool, Crossing* out) const {
   if (is_degenerate()) return 0;
   const AboutIt at(*this, ray);
   const double ro = m_base_radius + m_slope * at.oz, rd = m_slope * at.dz;
@@ -49,16 +49,6 @@ int Cone::crossings(const Ray& ray, double t_min, Crossing out[2]) const {
   out[0] = in;
   out[1] = leave;
   return 2;
-}
-
-bool Cone::nearest(const Ray& ray, double t_min, double t_max, ShapeHit& hit) const {
-  Crossing found[2];
-  return first_between(found, crossings(ray, t_min, found), t_min, t_max, hit);
-}
-
-void Cone::all(const Ray& ray, double t_min, double t_max, ShapeHits& hits) const {
-  Crossing found[2];
-  append_between(found, crossings(ray, t_min, found), t_min, t_max, hits);
 }
 
 std::unique_ptr<Shape> Cone::baked(const Transform& t) const {

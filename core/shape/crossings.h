@@ -18,26 +18,52 @@ inline constexpr std::uint32_t kSide = 0, kBase = 1, kCap = 2;
 /// radius and length.
 inline constexpr double kRoundTolerance = 1e-10;
 
-/// The first of `count` crossings, sorted by t, with t_min < t < t_max.
-inline bool first_between(const Crossing* found, int count, double t_min, double t_max,
-                          ShapeHit& hit) {
-  for (int i = 0; i < count; ++i) {
-    if (!(found[i].t > t_min)) continue;
-    if (!(found[i].t < t_max)) return false;
-    hit = {found[i].t, found[i].element, 0.0, 0.0};
-    return true;
-  }
-  return false;
-}
+/// Of a shape without elements a crossing is its t alone.
+inline ShapeHit hit_at(double t) { return {t, 0, 0.0, 0.0}; }
+inline ShapeHit hit_at(const Crossing& found) { return {found.t, found.element, 0.0, 0.0}; }
 
-/// Appends those with t_min < t < t_max.
-inline void append_between(const Crossing* found, int count, double t_min, double t_max,
-                           ShapeHits& hits) {
-  for (int i = 0; i < count; ++i) {
-    if (found[i].t > t_min && found[i].t < t_max)
-      hits.push_back({found[i].t, found[i].element, 0.0, 0.0});
+/// A shape that a ray meets a few times at most, all found at once: up to kMost numbers or
+/// Crossings. Self::crossings(ray, t_min, t_max, first_alone, found) gives them in ascending order and returns
+/// how many; it may leave out what is not within the range, and the others if the first is asked for alone.
+template <class Self, class Found, int kMost, class Base = Shape>
+class FewCrossings : public Base {
+ public:
+  using Base::Base;
+
+  bool nearest(const Ray& ray, double t_min, double t_max, ShapeHit& hit) const final {
+    Found found[kMost];
+    const int count = self().crossings(ray, t_min, t_max, true, found);
+    for (int i = 0; i < count; ++i) {
+      const ShapeHit next = hit_at(found[i]);
+      if (!(next.t > t_min)) continue;
+      if (!(next.t < t_max)) return false;
+      hit = next;
+      return true;
+    }
+    return false;
   }
-}
+  void all(const Ray& ray, double t_min, double t_max, ShapeHits& hits) const final {
+    Found found[kMost];
+    const int count = self().crossings(ray, t_min, t_max, false, found);
+    for (int i = 0; i < count; ++i) {
+      const ShapeHit next = hit_at(found[i]);
+      if (next.t > t_min && next.t < t_max) hits.push_back(next);
+    }
+  }
+
+ private:
+  const Self& self() const { return static_cast<const Self&>(*this); }
+};
+
+/// A shape that a ray meets once at most.
+template <class Self>
+class OneCrossing : public Shape {
+ public:
+  void all(const Ray& ray, double t_min, double t_max, ShapeHits& hits) const final {
+    ShapeHit hit;
+    if (static_cast<const Self&>(*this).Self::nearest(ray, t_min, t_max, hit)) hits.push_back(hit);
+  }
+};
 
 /// The first crossing with t_min < t < t_max. `each` calls its argument with t in order, until that
 /// returns false.

@@ -6,7 +6,7 @@ namespace lentray::core {
 
 /// The crossings of the whole line, 0 to 2, ascending; none if none is beyond t_min. A closed cylinder is convex: what lies
 /// between the side's two crossings and between the ends' planes is one stretch of the line.
-int Cylinder::crossings(const Ray& ray, double t_min, Crossing out[2]) const {
+int Cylinder::crossings(const Ray& ray, double t_min, double, bool, Crossing* out) const {
   if (is_degenerate()) return 0;
   const double radius2 = m_base_radius * m_base_radius;
   const AboutIt at(*this, ray);
@@ -41,16 +41,6 @@ int Cylinder::crossings(const Ray& ray, double t_min, Crossing out[2]) const {
   out[0] = in;
   out[1] = leave;
   return 2;
-}
-
-bool Cylinder::nearest(const Ray& ray, double t_min, double t_max, ShapeHit& hit) const {
-  Crossing found[2];
-  return first_between(found, crossings(ray, t_min, found), t_min, t_max, hit);
-}
-
-void Cylinder::all(const Ray& ray, double t_min, double t_max, ShapeHits& hits) const {
-  Crossing found[2];
-  append_between(found, crossings(ray, t_min, found), t_min, t_max, hits);
 }
 
 std::unique_ptr<Shape> Cylinder::baked(const Transform& t) const {

@@ -25,11 +25,6 @@ bool Disc::nearest(const Ray& ray, double t_min, double t_max, ShapeHit& hit) co
   return true;
 }
 
-void Disc::all(const Ray& ray, double t_min, double t_max, ShapeHits& hits) const {
-  ShapeHit hit;
-  if (Disc::nearest(ray, t_min, t_max, hit)) hits.push_back(hit);
-}
-
 bool Disc::holds(const Vec3& p, bool inverse) const {
   return (dot(m_normal, p - m_centre) < 0.0) != inverse;
 }

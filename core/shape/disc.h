@@ -2,11 +2,11 @@
 // Source: reference manual 3.7, "Disc": flat, yet in CSG a half-space as a plane is.
 #pragma once
 
-#include "core/shape/shape.h"
+#include "core/shape/crossings.h"
 
 namespace lentray::core {
 
-class Disc final : public Shape {
+class Disc final : public OneCrossing<Disc> {
  public:
   Disc(const Vec3& centre, const Vec3& normal, double radius, double hole = 0.0);
 
@@ -16,7 +16,6 @@ class Disc final : public Shape {
   /// Of the surface alone.
   Bounds box(const Transform* move) const override;
   bool nearest(const Ray& ray, double t_min, double t_max, ShapeHit& hit) const override;
-  void all(const Ray& ray, double t_min, double t_max, ShapeHits& hits) const override;
   bool holds(const Vec3& p, bool inverse) const override;
   Vec3 normal(const Vec3& p, const ShapeHit& hit) const override;
   /// Under similarities.

@@ -343,29 +343,17 @@ bool Parametric::through_container(const Ray& ray, double& from, double& to) con
   return from <= to && to >= kNear;
 }
 
-/// The only hit that counts: what is nearer than the ray asks for hides the rest.
-bool Parametric::find(const Ray& ray, ShapeHit& hit) const {
+/// What is nearer than the ray asks for hides the rest.
+bool Parametric::nearest(const Ray& ray, double t_min, double t_max, ShapeHit& hit) const {
   constexpr double kBegin = 4.0;  // in accuracies
   Search search(*this, ray);
   if (!through_container(ray, search.from, search.to)) return false;
   search.from += kBegin * search.along;
   if (search.from > search.to) return false;
   search.through_kept();
-  if (!(search.best < search.to)) return false;
+  if (!(search.best < search.to && search.best > t_min && search.best < t_max)) return false;
   hit = {search.best, 0, search.u, search.v};
   return true;
-}
-
-bool Parametric::nearest(const Ray& ray, double t_min, double t_max, ShapeHit& hit) const {
-  ShapeHit found;
-  if (!find(ray, found) || !(found.t > t_min && found.t < t_max)) return false;
-  hit = found;
-  return true;
-}
-
-void Parametric::all(const Ray& ray, double t_min, double t_max, ShapeHits& hits) const {
-  ShapeHit hit;
-  if (Parametric::nearest(ray, t_min, t_max, hit)) hits.push_back(hit);
 }
 
 Vec3 Parametric::normal(const Vec3&, const ShapeHit& hit) const {

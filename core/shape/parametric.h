@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "core/function/function.h"
-#include "core/shape/shape.h"
+#include "core/shape/crossings.h"
 
 namespace lentray::core {
 
@@ -28,7 +28,7 @@ struct ParametricSettings {
   std::array<bool, 3> precompute{};  ///< ... x, y, z is bounded by its parts from the start
 };
 
-class Parametric final : public Shape {
+class Parametric final : public OneCrossing<Parametric> {
  public:
   explicit Parametric(ParametricSettings settings);
 
@@ -37,7 +37,6 @@ class Parametric final : public Shape {
   }
   Bounds box(const Transform* move) const override { return moved_box(m_bounds, move); }
   bool nearest(const Ray& ray, double t_min, double t_max, ShapeHit& hit) const override;
-  void all(const Ray& ray, double t_min, double t_max, ShapeHits& hits) const override;
   Vec3 normal(const Vec3& p, const ShapeHit& hit) const override;
   Vec2 uv(const Vec3&, const ShapeHit& hit) const override { return {hit.u, hit.v}; }
 
@@ -74,7 +73,6 @@ class Parametric final : public Shape {
   Bound keep(std::size_t number, int level, const Piece& piece, const std::array<Corners, 3>& f,
              int levels);
   bool through_container(const Ray& ray, double& from, double& to) const;
-  bool find(const Ray& ray, ShapeHit& hit) const;
 
   ParametricSettings m_set;
   int m_levels;                                   ///< kept

@@ -24,11 +24,6 @@ bool Plane::nearest(const Ray& ray, double t_min, double t_max, ShapeHit& hit) c
   return true;
 }
 
-void Plane::all(const Ray& ray, double t_min, double t_max, ShapeHits& hits) const {
-  ShapeHit hit;
-  if (Plane::nearest(ray, t_min, t_max, hit)) hits.push_back(hit);
-}
-
 bool Plane::holds(const Vec3& p, bool inverse) const {
   const double above = dot(m_normal, p) - m_distance;
   return (inverse ? -above : above) < kOnSurface;

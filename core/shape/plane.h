@@ -2,7 +2,7 @@
 // normal. Space: object, or world once baked. Source: reference manual 3.7, "Plane".
 #pragma once
 
-#include "core/shape/shape.h"
+#include "core/shape/crossings.h"
 
 namespace lentray::core {
 
@@ -12,7 +12,7 @@ inline double plane_crossing(const Vec3& normal, double distance, const Ray& ray
   return (distance - dot(normal, ray.origin)) / dot(normal, ray.direction);
 }
 
-class Plane final : public Shape {
+class Plane final : public OneCrossing<Plane> {
  public:
   /// The normal need not be unit; a null one makes a plane that nothing meets.
   Plane(const Vec3& normal, double distance);
@@ -24,7 +24,6 @@ class Plane final : public Shape {
   /// A half-space where the normal is along an axis, else infinite.
   Bounds box(const Transform* move) const override { return moved_box(own_box(), move); }
   bool nearest(const Ray& ray, double t_min, double t_max, ShapeHit& hit) const override;
-  void all(const Ray& ray, double t_min, double t_max, ShapeHits& hits) const override;
   /// On the surface: both inside and outside, within 1e-10.
   bool holds(const Vec3& p, bool inverse) const override;
   Vec3 normal(const Vec3& p, const ShapeHit& hit) const override;

@@ -9,7 +9,7 @@
 namespace lentray::core {
 namespace {
 
-constexpr int kMost = Poly::kMaxOrder + 1;
+constexpr int kMost = kMaxPolyOrder + 1;
 constexpr int kNested = 6;  ///< highest order whose rays' polynomials are worked out without loops
 
 /// powers[n][m]: coefficient of t^m in (p + d t)^n, for n up to `order`.
@@ -161,25 +161,6 @@ int Poly::crossings(const Ray& ray, double t_min, double t_max, bool first_alone
   const int n = solve(first_alone);
   // By rounding the first may lie before t_min.
   return first_alone && n > 0 && !(roots[n - 1] > t_min) ? solve(false) : n;
-}
-
-bool Poly::nearest(const Ray& ray, double t_min, double t_max, ShapeHit& hit) const {
-  double roots[kMost];
-  const int n = crossings(ray, t_min, t_max, true, roots);
-  for (int i = 0; i < n; ++i) {
-    if (!(roots[i] > t_min && roots[i] < t_max)) continue;
-    hit = {roots[i], 0, 0.0, 0.0};
-    return true;
-  }
-  return false;
-}
-
-void Poly::all(const Ray& ray, double t_min, double t_max, ShapeHits& hits) const {
-  double roots[kMost];
-  const int n = crossings(ray, t_min, t_max, false, roots);
-  for (int i = 0; i < n; ++i) {
-    if (roots[i] > t_min && roots[i] < t_max) hits.push_back({roots[i], 0, 0.0, 0.0});
-  }
 }
 
 bool Poly::within(const Vec3& p) const {

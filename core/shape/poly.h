@@ -6,26 +6,26 @@
 #include <array>
 #include <vector>
 
-#include "core/shape/shape.h"
+#include "core/shape/crossings.h"
 
 namespace lentray::core {
 
-class Poly final : public Shape {
+inline constexpr int kMaxPolyOrder = 35;
+
+class Poly final : public FewCrossings<Poly, double, kMaxPolyOrder + 1> {
  public:
-  static constexpr int kMaxOrder = 35;
   /// Coefficients in the order of the manual: powers of x fall slowest, those of z fastest.
   Poly(std::string_view name, int order, const std::vector<double>& coefficients);
 
   ShapeTraits traits() const override { return {.name = m_name, .finds_all_at_once = true}; }
   Bounds box(const Transform* move) const override { return moved_box(Bounds::everything(), move); }
-  bool nearest(const Ray& ray, double t_min, double t_max, ShapeHit& hit) const override;
-  void all(const Ray& ray, double t_min, double t_max, ShapeHits& hits) const override;
   bool holds(const Vec3& p, bool inverse) const override { return within(p) != inverse; }
   Vec3 normal(const Vec3& p, const ShapeHit& hit) const override;
   /// Before the shape is asked: crossings beyond the ball are not wanted, and may be left out.
   void keep_within(const Ball& ball) { m_kept = ball; }
 
  private:
+  friend FewCrossings;
   bool within(const Vec3& p) const;
   struct Term {
     double c;

@@ -157,11 +157,6 @@ bool Polygon::nearest(const Ray& ray, double t_min, double t_max, ShapeHit& hit)
   return true;
 }
 
-void Polygon::all(const Ray& ray, double t_min, double t_max, ShapeHits& hits) const {
-  ShapeHit hit;
-  if (Polygon::nearest(ray, t_min, t_max, hit)) hits.push_back(hit);
-}
-
 Vec3 Polygon::normal(const Vec3&, const ShapeHit&) const { return m_normal; }
 
 std::unique_ptr<Shape> Polygon::baked(const Transform& t) const {

@@ -6,7 +6,7 @@
 #include <array>
 #include <vector>
 
-#include "core/shape/shape.h"
+#include "core/shape/crossings.h"
 
 namespace lentray::core {
 
@@ -36,7 +36,7 @@ class EvenOdd {
   std::vector<Edge> m_edges;           ///< by band; an edge occurs in every band it touches
 };
 
-class Polygon final : public Shape {
+class Polygon final : public OneCrossing<Polygon> {
  public:
   /// Points as SDL lists them; a point within 1e-10 of a contour's first closes it, an unclosed
   /// last contour is closed. A degenerate polygon is allowed: nothing hits it. Degenerate:
@@ -51,11 +51,11 @@ class Polygon final : public Shape {
   }
   Bounds box(const Transform* move) const override { return moved_box(own_box(), move); }
   bool nearest(const Ray& ray, double t_min, double t_max, ShapeHit& hit) const override;
-  void all(const Ray& ray, double t_min, double t_max, ShapeHits& hits) const override;
   Vec3 normal(const Vec3& p, const ShapeHit& hit) const override;
   std::unique_ptr<Shape> baked(const Transform& t) const override;
 
  private:
+  friend struct PolygonPack;
   Bounds own_box() const;
   static constexpr std::uint32_t kFew = 4;  ///< edges that are simply looked through
 

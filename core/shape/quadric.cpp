@@ -33,7 +33,7 @@ Vec3 Quadric::gradient(const Vec3& p) const {
 }
 
 /// The crossings of the whole line, ascending.
-int Quadric::crossings(const Ray& ray, double out[2]) const {
+int Quadric::crossings(const Ray& ray, double, double, bool, double* out) const {
   const Vec3& d = ray.direction;
   const double a = d.x * (m_sq.x * d.x + m_mix.x * d.y) + d.y * (m_sq.y * d.y + m_mix.z * d.z) +
                    d.z * (m_sq.z * d.z + m_mix.y * d.x);
@@ -50,26 +50,6 @@ int Quadric::crossings(const Ray& ray, double out[2]) const {
   out[0] = middle - half;
   out[1] = middle + half;
   return 2;
-}
-
-bool Quadric::nearest(const Ray& ray, double t_min, double t_max, ShapeHit& hit) const {
-  double t[2];
-  const int n = crossings(ray, t);
-  for (int i = 0; i < n; ++i) {
-    if (!(t[i] > t_min)) continue;
-    if (!(t[i] < t_max)) return false;
-    hit = {t[i], 0, 0.0, 0.0};
-    return true;
-  }
-  return false;
-}
-
-void Quadric::all(const Ray& ray, double t_min, double t_max, ShapeHits& hits) const {
-  double t[2];
-  const int n = crossings(ray, t);
-  for (int i = 0; i < n; ++i) {
-    if (t[i] > t_min && t[i] < t_max) hits.push_back({t[i], 0, 0.0, 0.0});
-  }
 }
 
 /// Ellipsoids exactly. Without mixed terms also what is bounded along some axes: where all

@@ -5,11 +5,11 @@
 
 #include <array>
 
-#include "core/shape/shape.h"
+#include "core/shape/crossings.h"
 
 namespace lentray::core {
 
-class Quadric final : public Shape {
+class Quadric final : public FewCrossings<Quadric, double, 2> {
  public:
   /// In the order of SDL, A to J.
   explicit Quadric(const std::array<double, 10>& coefficients);
@@ -21,16 +21,15 @@ class Quadric final : public Shape {
   }
   /// Tight for ellipsoids; for others as far as they are bounded along the axes.
   Bounds box(const Transform* move) const override { return moved_box(m_bounds, move); }
-  bool nearest(const Ray& ray, double t_min, double t_max, ShapeHit& hit) const override;
-  void all(const Ray& ray, double t_min, double t_max, ShapeHits& hits) const override;
   bool holds(const Vec3& p, bool inverse) const override;
   Vec3 normal(const Vec3& p, const ShapeHit& hit) const override;
   std::unique_ptr<Shape> baked(const Transform& t) const override;
 
  private:
+  friend FewCrossings;
   double value(const Vec3& from_origin) const;
   Vec3 gradient(const Vec3& from_origin) const;
-  int crossings(const Ray& ray, double out[2]) const;
+  int crossings(const Ray& ray, double t_min, double t_max, bool first_alone, double* out) const;
   void find_bounds();
 
   Vec3 m_sq, m_mix, m_lin;  ///< m_mix: xy, xz, yz

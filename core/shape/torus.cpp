@@ -23,7 +23,7 @@ Bounds Torus::box(const Transform* move) const {
 /// From the point of the ray nearest to the centre the quartic has no cubic term and its
 /// coefficients have the size of the torus alone.
 int Torus::crossings(const Ray& ray, double t_min, double t_max, bool first_alone,
-                     double out[4]) const {
+                     double* out) const {
   const double size = m_major + m_minor;
   const double speed = length(ray.direction);
   const double inverse_speed = 1.0 / speed;
@@ -66,19 +66,6 @@ int Torus::crossings(const Ray& ray, double t_min, double t_max, bool first_alon
     if (const int kept = keep(n)) return kept;
   }
   return keep(solve_between(quartic, 4, lo, hi, root));
-}
-
-bool Torus::nearest(const Ray& ray, double t_min, double t_max, ShapeHit& hit) const {
-  double t[4];
-  if (crossings(ray, t_min, t_max, true, t) == 0) return false;
-  hit = {t[0], 0, 0.0, 0.0};
-  return true;
-}
-
-void Torus::all(const Ray& ray, double t_min, double t_max, ShapeHits& hits) const {
-  double t[4];
-  const int n = crossings(ray, t_min, t_max, false, t);
-  for (int i = 0; i < n; ++i) hits.push_back({t[i], 0, 0.0, 0.0});
 }
 
 bool Torus::within(const Vec3& p) const {

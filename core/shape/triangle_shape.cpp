@@ -29,9 +29,4 @@ bool TriangleShape::nearest(const Ray& ray, double t_min, double t_max, ShapeHit
   return true;
 }
 
-void TriangleShape::all(const Ray& ray, double t_min, double t_max, ShapeHits& hits) const {
-  ShapeHit hit;
-  if (nearest(ray, t_min, t_max, hit)) hits.push_back(hit);
-}
-
 }  // namespace lentray::core

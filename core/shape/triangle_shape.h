@@ -4,11 +4,11 @@
 
 #include <array>
 
-#include "core/shape/shape.h"
+#include "core/shape/crossings.h"
 
 namespace lentray::core {
 
-class TriangleShape : public Shape {
+class TriangleShape : public OneCrossing<TriangleShape> {
  public:
   const std::array<Vec3, 3>& vertices() const { return m_vertices; }
   bool is_degenerate() const { return m_degenerate; }  ///< nothing hits it
@@ -16,7 +16,6 @@ class TriangleShape : public Shape {
   Bounds box(const Transform* move) const override;
   /// ShapeHit::u, v: the weights of b and c.
   bool nearest(const Ray& ray, double t_min, double t_max, ShapeHit& hit) const final;
-  void all(const Ray& ray, double t_min, double t_max, ShapeHits& hits) const final;
 
  protected:
   TriangleShape(const Vec3& a, const Vec3& b, const Vec3& c, bool degenerate)
