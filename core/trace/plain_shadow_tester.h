@@ -38,7 +38,8 @@ class PlainShadowTester final : public ShadowTester {
   /// The same test against one opaque object of the scene: whether it alone blocks the query.
   bool blocks(const Object& object, const ShadowQuery& query) const {
     const double reach = query.distance - m_tolerance;
-    return reach > m_tolerance && object.any(query.ray, start(query), reach, m_context.arena);
+    return reach > m_tolerance &&
+           object.any(query.ray, start(query), reach, {m_context.arena, RayKind::kShadow});
   }
   ThreadContext& context() const { return m_context; }
 
