@@ -35,8 +35,7 @@ class GridBand final : public OnePassBand {
                              .down = (i / aa.depth + 0.5) * step - 0.5};
       Radiance one;
       if (thread.sampler.sample(place, static_cast<std::uint32_t>(i), one)) shows = true;
-      sum.rgb += one.rgb;
-      sum.transmit += one.transmit;
+      sum += one;
     }
     if (!shows) {
       ++thread.counters.dark_pixels;
@@ -44,7 +43,7 @@ class GridBand final : public OnePassBand {
     }
     ++thread.counters.antialiased_pixels;
     const float share = 1.0f / static_cast<float>(samples);
-    return {sum.rgb * share, sum.transmit * share};
+    return sum * share;
   }
 };
 
