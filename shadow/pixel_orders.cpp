@@ -164,12 +164,6 @@ Asked asked_for(std::string_view text) {
   throw std::invalid_argument(unknown_name("pixel order", text, order_names()));
 }
 
-std::vector<std::string_view> names_of_orders() {
-  std::vector<std::string_view> names;
-  for (const Entry& entry : kOrders) names.push_back(entry.name);
-  return names;
-}
-
 class Orders final : public core::BandOrders {
  public:
   Orders(const Asked& asked, const PixelColumns& columns, const camera::LensSheet* sheet,
@@ -190,7 +184,7 @@ std::uint64_t divided_up(std::uint64_t a, std::uint64_t b) { return (a + b - 1) 
 }  // namespace
 
 const std::vector<std::string_view>& order_names() {
-  static const std::vector<std::string_view> kNames = names_of_orders();
+  static const std::vector<std::string_view> kNames = names_of(kOrders);
   return kNames;
 }
 

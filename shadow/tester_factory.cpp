@@ -48,16 +48,10 @@ constexpr TesterEntry kTesters[] = {
     entry_of<Cascade>(),
 };
 
-std::vector<std::string_view> names_of_testers() {
-  std::vector<std::string_view> names;
-  for (const TesterEntry& entry : kTesters) names.push_back(entry.name);
-  return names;
-}
-
 }  // namespace
 
 const std::vector<std::string_view>& tester_names() {
-  static const std::vector<std::string_view> kNames = names_of_testers();
+  static const std::vector<std::string_view> kNames = names_of(kTesters);
   return kNames;
 }
 
