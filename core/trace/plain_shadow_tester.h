@@ -93,11 +93,6 @@ class PlainShadowTester final : public ShadowTester {
   MediaAttenuation m_attenuation;
 };
 
-class PlainShadowTesterFactory final : public ShadowTesterFactory {
- public:
-  std::unique_ptr<ShadowTester> make(ThreadContext& context) const override {
-    return std::make_unique<PlainShadowTester>(context);
-  }
-};
+using PlainShadowTesterFactory = ShadowTestersOf<PlainShadowTester>;
 
 }  // namespace lentray::core
