@@ -19,14 +19,21 @@ struct Strip {
 /// The columns behind each lens; all in one without a sheet.
 std::vector<Strip> lenses_of(std::uint32_t width, const camera::LensSheet* sheet);
 
-/// The columns below `width`, view after view, each from the left. View j: pixel j, counted from
-/// the left, of all lenses; where N is not whole, the last view has only the wider lenses.
-std::vector<std::vector<std::uint32_t>> columns_by_view(std::size_t width,
-                                                        const camera::LensSheet* sheet);
+/// Columns in the order that they are traced in, as lists one behind another.
+struct ColumnLists {
+  std::vector<std::uint32_t> columns;
+  std::vector<std::size_t> before{0};  ///< columns before each list; one more entry at the end
 
-/// Lenses cut into strips of `strip_width` columns, the last of a lens perhaps narrower: strip 0 of
-/// every lens, then strip 1 of every lens, and so on. Every column below `width` is in one.
-std::vector<Strip> strips_of_lenses(std::size_t width, const camera::LensSheet* sheet,
-                                    std::uint32_t strip_width);
+  /// The columns that were added last are a list, unless there are none.
+  void end_list() {
+    if (columns.size() > before.back()) before.push_back(columns.size());
+  }
+};
+
+/// Lenses cut into strips of `width` columns, the last of a lens perhaps narrower: strip 0 of every
+/// lens, then strip 1 of every lens, and so on. Every strip is a list, or, `joined`, all strips of the
+/// same number are one. Columns before `left` are left out.
+ColumnLists lists_of_strips(const std::vector<Strip>& lenses, std::uint32_t width,
+                            std::uint32_t left, bool joined = false);
 
 }  // namespace lentray::shadow

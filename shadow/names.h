@@ -14,4 +14,12 @@ bool same_name(std::string_view a, std::string_view b);
 std::string unknown_name(std::string_view what, std::string_view name,
                          const std::vector<std::string_view>& known);
 
+/// Of the entries of a table, in its order.
+template <class Table>
+std::vector<std::string_view> names_of(const Table& table) {
+  std::vector<std::string_view> names;
+  for (const auto& entry : table) names.push_back(entry.name);
+  return names;
+}
+
 }  // namespace lentray::shadow

@@ -14,9 +14,10 @@
 namespace lentray::shadow {
 namespace {
 
-constexpr double kHighBand = 8.0 * 1024 * 1024;   ///< pixels, where an order gains by height
-constexpr double kLowBand = 512.0 * 1024;         ///< pixels, elsewhere
-constexpr std::uint32_t kLargestStrip = 1 << 20;  ///< pixels
+constexpr double kHighBand = 8.0 * 1024 * 1024;    ///< pixels, where an order gains by height
+constexpr double kLowBand = 512.0 * 1024;          ///< pixels, elsewhere
+constexpr std::uint32_t kLargestStrip = 1 << 20;   ///< pixels
+constexpr std::size_t kHighest = ~std::size_t{0};  ///< all rows are one group
 
 using Numbers = std::array<std::uint32_t, 2>;
 using Maker = std::function<OrderPtr(const PixelRegion&)>;
@@ -28,46 +29,47 @@ struct Columns {
   const RunMeter* meter = nullptr;
 };
 
-Maker prepare_rows(const Columns&, const Numbers&) { return make_row_order; }
-Maker prepare_columns(const Columns&, const Numbers&) { return make_column_order; }
-
-Maker prepare_tiles(const Columns&, const Numbers&) {
-  return [](const PixelRegion& region) { return make_tile_order(region, kTile); };
+Maker in_lists(ColumnLists lists, std::size_t height = kHighest, bool turns = false) {
+  return [shared = std::make_shared<const ColumnLists>(std::move(lists)), height, turns](
+             const PixelRegion& region) { return make_list_order(region, shared, height, turns); };
 }
 
-Maker prepare_serpentine(const Columns&, const Numbers&) {
-  return [](const PixelRegion& region) { return make_serpentine_order(region, kSerpentine); };
+/// As if all columns that are rendered were one lens.
+ColumnLists even_strips(const Columns& columns, std::uint32_t width) {
+  return lists_of_strips({{columns.left, columns.right}}, width, columns.left);
 }
 
-Maker prepare_hilbert(const Columns&, const Numbers&) {
-  return [](const PixelRegion& region) { return make_hilbert_order(region); };
+Maker prepare_rows(const Columns& columns, const Numbers&) {
+  return in_lists(even_strips(columns, kLargestStrip), 1);
 }
 
-Maker prepare_views(const Columns& columns, const Numbers&) {
-  auto views = columns_by_view(columns.right, columns.sheet);
-  for (std::vector<std::uint32_t>& view : views) {
-    view.erase(view.begin(), std::lower_bound(view.begin(), view.end(), columns.left));
-  }
-  std::erase_if(views, [](const std::vector<std::uint32_t>& view) { return view.empty(); });
-  const auto shared =
-      std::make_shared<const std::vector<std::vector<std::uint32_t>>>(std::move(views));
-  return [shared](const PixelRegion& region) { return make_view_order(region, shared); };
+Maker prepare_columns(const Columns& columns, const Numbers&) {
+  return in_lists(even_strips(columns, 1));
+}
+
+Maker prepare_tiles(const Columns& columns, const Numbers&) {
+  return in_lists(even_strips(columns, kTile), kTile);
+}
+
+/// Column after column, down and up in turn: neighbours follow each other as along a column, in
+/// less memory than a whole column's rays meet.
+Maker prepare_serpentine(const Columns& columns, const Numbers&) {
+  return in_lists(even_strips(columns, 1), kSerpentine, true);
+}
+
+Maker prepare_hilbert(const Columns&, const Numbers&) { return make_hilbert_order; }
+
+/// View j: pixel j, counted from the left, of all lenses; where N is not whole, the last view has
+/// only the wider lenses.
+Maker prepare_views(const Columns& columns, const Numbers& numbers) {
+  if (!columns.sheet) return prepare_rows(columns, numbers);
+  return in_lists(lists_of_strips(lenses_of(columns.right, columns.sheet), 1, columns.left, true));
 }
 
 Maker prepare_strips(const Columns& columns, const Numbers& numbers) {
-  auto shared = std::make_shared<StripColumns>();
-  std::size_t before = 0;
-  for (Strip strip : strips_of_lenses(columns.right, columns.sheet, numbers[0])) {
-    strip.begin = std::max(strip.begin, columns.left);
-    if (strip.begin >= strip.end) continue;
-    shared->strips.push_back(strip);
-    shared->before.push_back(before);
-    before += strip.end - strip.begin;
-  }
-  shared->before.push_back(before);
-  return [shared = SharedStrips(shared), height = numbers[1]](const PixelRegion& region) {
-    return make_strip_order(region, shared, height);
-  };
+  return in_lists(
+      lists_of_strips(lenses_of(columns.right, columns.sheet), numbers[0], columns.left),
+      numbers[1]);
 }
 
 Maker prepare_adaptive(const Columns& columns, const Numbers&) {
@@ -162,12 +164,6 @@ Asked asked_for(std::string_view text) {
   throw std::invalid_argument(unknown_name("pixel order", text, order_names()));
 }
 
-std::vector<std::string_view> names_of_orders() {
-  std::vector<std::string_view> names;
-  for (const Entry& entry : kOrders) names.push_back(entry.name);
-  return names;
-}
-
 class Orders final : public core::BandOrders {
  public:
   Orders(const Asked& asked, const PixelColumns& columns, const camera::LensSheet* sheet,
@@ -188,7 +184,7 @@ std::uint64_t divided_up(std::uint64_t a, std::uint64_t b) { return (a + b - 1) 
 }  // namespace
 
 const std::vector<std::string_view>& order_names() {
-  static const std::vector<std::string_view> kNames = names_of_orders();
+  static const std::vector<std::string_view> kNames = names_of(kOrders);
   return kNames;
 }
 

@@ -51,26 +51,11 @@ class Sequence : public core::PixelOrder {
 };
 
 using OrderPtr = std::unique_ptr<core::PixelOrder>;
-/// The region's columns, by view: none empty.
-using SharedViews = std::shared_ptr<const std::vector<std::vector<std::uint32_t>>>;
 
-/// Strips of columns in the order they are traced in, and how many columns lie before each; one
-/// more entry at the end.
-struct StripColumns {
-  std::vector<Strip> strips;
-  std::vector<std::size_t> before;
-};
-using SharedStrips = std::shared_ptr<const StripColumns>;
-
-OrderPtr make_row_order(const PixelRegion& region);
-OrderPtr make_column_order(const PixelRegion& region);
-OrderPtr make_view_order(const PixelRegion& region, SharedViews views);
-/// Squares of `side` pixels.
-OrderPtr make_tile_order(const PixelRegion& region, std::size_t side);
-/// Squares of `side` pixels, each column after column, down and up in turn.
-OrderPtr make_serpentine_order(const PixelRegion& region, std::size_t side);
-/// Rows in groups of `height`; in a group strip after strip, each strip row after row.
-OrderPtr make_strip_order(const PixelRegion& region, SharedStrips strips, std::size_t height);
+/// Rows in groups of `height`; in a group list after list, each row after row: all columns of the
+/// region. `turns`: every second list from its lowest row up.
+OrderPtr make_list_order(const PixelRegion& region, std::shared_ptr<const ColumnLists> lists,
+                         std::size_t height, bool turns);
 /// Squares of kHilbert pixels, each along a Hilbert curve; one square ends beside where the next
 /// begins.
 OrderPtr make_hilbert_order(const PixelRegion& region);

@@ -14,32 +14,24 @@
 namespace lentray::shadow {
 namespace {
 
-template <class Tester>
-class Factory final : public core::ShadowTesterFactory {
- public:
-  std::unique_ptr<core::ShadowTester> make(core::ThreadContext& context) const override {
-    return std::make_unique<Tester>(context);
-  }
-};
-
 struct TesterEntry {
   std::string_view name;
   std::unique_ptr<core::ShadowTesterFactory> (*make)();
 };
 
-template <class AFactory>
-std::unique_ptr<core::ShadowTesterFactory> make_one() {
-  return std::make_unique<AFactory>();
+template <class Tester>
+std::unique_ptr<core::ShadowTesterFactory> make_testers() {
+  return std::make_unique<core::ShadowTestersOf<Tester>>();
 }
 
 template <class Cache>
 constexpr TesterEntry entry_of() {
-  return {Cache::kName, make_one<Factory<CachedTester<Cache>>>};
+  return {Cache::kName, make_testers<CachedTester<Cache>>};
 }
 
 constexpr TesterEntry kTesters[] = {
-    {AutoTester::kName, make_one<Factory<AutoTester>>},
-    {"off", make_one<core::PlainShadowTesterFactory>},
+    {AutoTester::kName, make_testers<AutoTester>},
+    {"off", make_testers<core::PlainShadowTester>},
     entry_of<CacheTable<LastPolicy>>(),
     entry_of<CacheTable<DepthPolicy>>(),
     entry_of<CacheTable<TreePolicy>>(),
@@ -48,16 +40,10 @@ constexpr TesterEntry kTesters[] = {
     entry_of<Cascade>(),
 };
 
-std::vector<std::string_view> names_of_testers() {
-  std::vector<std::string_view> names;
-  for (const TesterEntry& entry : kTesters) names.push_back(entry.name);
-  return names;
-}
-
 }  // namespace
 
 const std::vector<std::string_view>& tester_names() {
-  static const std::vector<std::string_view> kNames = names_of_testers();
+  static const std::vector<std::string_view> kNames = names_of(kTesters);
   return kNames;
 }
 

@@ -168,7 +168,7 @@ struct AnySearch {
   double limit() const { return t_max; }
   bool object(const ObjectEntry& e) {
     tally.test(e.type);
-    if (!e.object->any(ray, t_min, t_max, arena)) return false;
+    if (!e.object->any(ray, t_min, t_max, {arena, RayKind::kShadow})) return false;
     found = e.object;
     return true;
   }
@@ -199,7 +199,7 @@ struct AllSearch {
   bool object(const ObjectEntry& e) {
     tally.test(e.type);
     const std::size_t before = hits.size();
-    add_hits(*e.object, ray, t_min, t_max, nearest, hits, arena);
+    add_hits(*e.object, ray, t_min, t_max, nearest, hits, {arena, RayKind::kShadow});
     for (std::size_t i = before; i < hits.size(); ++i) {
       hits[i].object = e.object;
       hits[i].place = e.index;

@@ -80,7 +80,7 @@ template <class Count>
       return probe_of(static_cast<const Box*>(caster.shape)->Box::nearest(ray, t_min, t_max, hit));
     case LightKind::kAny: break;
   }
-  return probe_of(caster.object->any(ray, t_min, t_max, arena));
+  return probe_of(caster.object->any(ray, t_min, t_max, {arena, RayKind::kShadow}));
 }
 
 /// Not inlined, so that any_opaque() needs no frame where there are planes alone.
@@ -118,7 +118,8 @@ template <class Count>
   }
   for (const Caster& caster : m_always_opaque) {
     count.test(caster.object);
-    if (caster.object->any(ray, t_min, t_max, arena)) return {caster.object, false};
+    if (caster.object->any(ray, t_min, t_max, {arena, RayKind::kShadow}))
+      return {caster.object, false};
   }
   return {};
 }
@@ -151,7 +152,7 @@ void LightBuffer::all_transparent(const Spot& spot, const Ray& ray, double t_min
     if (caster.object == spot.unmet) return;
     if (counters) counters->add_tests(caster.object->name(), 1);
     const std::size_t before = hits.size();
-    add_hits(*caster.object, ray, t_min, t_max, nearest, hits, arena);
+    add_hits(*caster.object, ray, t_min, t_max, nearest, hits, {arena, RayKind::kShadow});
     for (std::size_t i = before; i < hits.size(); ++i) {
       hits[i].object = caster.object;
       hits[i].place = caster.place;

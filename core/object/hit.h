@@ -39,7 +39,6 @@ class HitArena {
 
 /// What comes with a ray: the thread's lists, and the ray's kind, for CSG has parts that some kinds do not see.
 struct RayQuery {
-  RayQuery(HitArena& lists, RayKind ray_kind = RayKind::kShadow) : arena(lists), kind(ray_kind) {}
   HitArena& arena;
   RayKind kind;
 };

@@ -33,7 +33,7 @@ struct Told {
 std::optional<double> behind_projector(const Light& light, const Ray& ray, HitArena& arena) {
   if (!light.projector) return 0.0;
   std::vector<Hit> hits;
-  light.projector->all(ray, kTiny, Bounds::kInf, hits, RayQuery(arena));
+  light.projector->all(ray, kTiny, Bounds::kInf, hits, {arena, RayKind::kShadow});
   if (hits.empty()) return std::nullopt;
   double farthest = 0.0;
   for (const Hit& hit : hits) farthest = std::max(farthest, hit.t);

@@ -5,7 +5,6 @@
 
 #include "core/render/film_centres.h"
 #include "core/render/film_corners.h"
-#include "core/render/film_grid.h"
 #include "core/render/film_one_pass.h"
 
 namespace lentray::core {
@@ -26,6 +25,49 @@ class PlainBand final : public OnePassBand {
     };
     const auto stop = [&thread] { return !thread.begins(); };
     return thread.sampler.centres(thread.pixels, thread.counters, keep, stop);
+  }
+};
+
+/// Every pixel is the mean of depth x depth samples at the middles of its cells, whatever they show:
+/// no pixel is compared with another, and there is no jitter. For references that other settings are
+/// held against.
+class GridBand final : public OnePassBand {
+ public:
+  using OnePassBand::OnePassBand;
+
+ private:
+  bool trace(FilmThread& thread) override {
+    for (const Pixel& p : thread.pixels) {
+      if (!thread.begins()) return false;
+      store(mean(p, thread), m_setup.alpha, m_image.pixel(p.column, p.row - m_top));
+    }
+    return true;
+  }
+
+  Radiance mean(const Pixel& pixel, FilmThread& thread) const {
+    const Antialiasing& aa = m_setup.antialiasing;
+    const double step = 1.0 / aa.depth;
+    const int samples = aa.depth * aa.depth;
+    const auto column = static_cast<std::int32_t>(pixel.column);
+    const auto row = static_cast<std::int32_t>(pixel.row);
+    Radiance sum{{}, 0.0f};
+    bool shows = false;
+    for (int i = 0; i < samples; ++i) {
+      const PixelPlace place{.column = column,
+                             .row = row,
+                             .across = (i % aa.depth + 0.5) * step - 0.5,
+                             .down = (i / aa.depth + 0.5) * step - 0.5};
+      Radiance one;
+      if (thread.sampler.sample(place, static_cast<std::uint32_t>(i), one)) shows = true;
+      sum += one;
+    }
+    if (!shows) {
+      ++thread.counters.dark_pixels;
+      return {};
+    }
+    ++thread.counters.antialiased_pixels;
+    const float share = 1.0f / static_cast<float>(samples);
+    return sum * share;
   }
 };
 
@@ -59,7 +101,7 @@ std::unique_ptr<Film> Film::make(FilmSetup setup, const BandOrders& orders) {
   switch (setup.antialiasing.method) {
     case 1: return make_film_of_centres(std::move(setup), orders);
     case 2: return make_film_of_corners(std::move(setup), orders);
-    case 3: return make_film_of_grids(std::move(setup), orders);
+    case 3: return std::make_unique<OnePassFilm<GridBand>>(std::move(setup), orders);
     default: return std::make_unique<OnePassFilm<PlainBand>>(std::move(setup), orders);
   }
 }

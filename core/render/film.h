@@ -6,7 +6,7 @@
 //   no antialiasing   one sample a pixel, in the pixel order
 //   method 1          core/render/film_centres.h
 //   method 2          core/render/film_corners.h
-//   method 3          core/render/film_grid.h
+//   method 3          GridBand in core/render/film.cpp
 #pragma once
 
 #include <atomic>

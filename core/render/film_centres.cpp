@@ -223,11 +223,10 @@ class CentresBand final : public FilmBand {
       }
       Radiance one;
       thread.sampler.sample(place, index, one);
-      sum.rgb += one.rgb;
-      sum.transmit += one.transmit;
+      sum += one;
     }
     const float share = 1.0f / static_cast<float>(aa.depth * aa.depth + 1);
-    const Radiance mean{sum.rgb * share, sum.transmit * share};
+    const Radiance mean = sum * share;
     put(column, row, mean);
     ++thread.counters.antialiased_pixels;
     return m_setup.space.of(mean);

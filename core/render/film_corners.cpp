@@ -196,10 +196,6 @@ class CornersBand final : public FilmBand {
     const Corners corners{&at(thread, q.x, q.y), &at(thread, right, q.y), &at(thread, q.x, below),
                           &at(thread, right, below)};
     Radiance sum;
-    const auto add = [&sum](const Radiance& one) {
-      sum.rgb += one.rgb;
-      sum.transmit += one.transmit;
-    };
     if (q.side > 2 && differ(corners)) {
       was_cut = true;
       const std::uint32_t half = q.side / 2, x = q.x + half, y = q.y + half;
@@ -210,12 +206,12 @@ class CornersBand final : public FilmBand {
       need(pixel, x, y, thread);
       for (const Square& quarter :
            {Square{q.x, q.y, half}, {x, q.y, half}, {q.x, y, half}, {x, y, half}}) {
-        add(cut(pixel, quarter, was_cut, thread));
+        sum += cut(pixel, quarter, was_cut, thread);
       }
     } else {
-      for (const FilmThread::Finer* c : corners) add(c->seen);
+      for (const FilmThread::Finer* c : corners) sum += c->seen;
     }
-    return {sum.rgb * 0.25f, sum.transmit * 0.25f};
+    return sum * 0.25f;
   }
 
   const CornersPlan& m_plan;

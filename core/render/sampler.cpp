@@ -17,11 +17,10 @@ bool Sampler::sample(const PixelPlace& place, std::uint32_t index, Radiance& out
     turned.turn = (i + 0.5) / m_options.angles - 0.5;
     Radiance one;
     if (direction(turned, part_key(key, static_cast<std::uint32_t>(i)), one)) any = true;
-    sum.rgb += one.rgb;
-    sum.transmit += one.transmit;
+    sum += one;
   }
   const float share = 1.0f / static_cast<float>(m_options.angles);
-  out = {sum.rgb * share, sum.transmit * share};
+  out = sum * share;
   return any;
 }
 
@@ -46,14 +45,13 @@ bool Sampler::of_several_rays(const PixelPlace& place, std::uint64_t key, Radian
     }
     Radiance one;
     trace(ray, place, part_key(key, i), one);
-    sum.rgb += one.rgb;
-    sum.transmit += one.transmit;
+    sum += one;
     ++count;
   }
   out = {Rgb(), 1.0f};
   if (count == 0) return false;
   const float share = 1.0f / static_cast<float>(count + black);
-  out = {sum.rgb * share, sum.transmit * share};
+  out = sum * share;
   return true;
 }
 

@@ -4,7 +4,6 @@
 #include <iomanip>
 #include <sstream>
 #include <string_view>
-#include <utility>
 #include <vector>
 
 #include "core/accel/hierarchy.h"
@@ -12,37 +11,6 @@
 
 namespace lentray::core {
 namespace {
-
-using Feature = std::pair<std::string_view, bool Needs::*>;
-
-constexpr Feature kFeatures[] = {
-    {"infinite objects", &Needs::infinite_objects},
-    {"constructive solid geometry", &Needs::csg},
-    {"clipping", &Needs::clipping},
-    {"transparency", &Needs::transparency},
-    {"transparent shadows", &Needs::transparent_shadows},
-    {"shadows that begin anew behind each surface", &Needs::shadows_begin_anew},
-    {"refraction", &Needs::refraction},
-    {"dispersion", &Needs::dispersion},
-    {"interiors", &Needs::interiors},
-    {"reflection", &Needs::reflection},
-    {"layered textures", &Needs::layered_textures},
-    {"textures by place", &Needs::textures_by_place},
-    {"interior textures", &Needs::interior_textures},
-    {"subsurface light", &Needs::subsurface},
-    {"highlights", &Needs::highlights},
-    {"area lights", &Needs::area_lights},
-    {"area illumination", &Needs::area_illumination},
-    {"lights projected through objects", &Needs::projected_lights},
-    {"spot and cylindrical lights", &Needs::spot_lights},
-    {"fading lights", &Needs::fading_lights},
-    {"shadowless lights", &Needs::shadowless_lights},
-    {"no_image, no_reflection, no_shadow", &Needs::visibility_flags},
-    {"sky sphere", &Needs::sky_sphere},
-    {"fog, rainbows or media of the air", &Needs::atmosphere},
-    {"media", &Needs::media},
-    {"air that dims lights", &Needs::dimming_air},
-};
 
 constexpr int kColumn = 22;
 
@@ -118,7 +86,7 @@ std::string explain(const Scene& scene) {
 
   out << "Needs\n";
   std::vector<std::string> present, absent;
-  for (const auto& [name, member] : kFeatures) {
+  for (const auto& [name, member] : kNeededFeatures) {
     (needs.*member ? present : absent).emplace_back(name);
   }
   list(out, "used", present);

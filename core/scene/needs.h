@@ -6,6 +6,8 @@
 #include <cstdint>
 #include <map>
 #include <string>
+#include <string_view>
+#include <utility>
 
 namespace lentray::core {
 
@@ -33,6 +35,36 @@ struct Needs {
   bool media = false;        ///< in the air or in interiors
   bool dimming_air = false;  ///< fog or media of the air dim a light on its way (media_attenuation)
   int greatest_depth = 1;    ///< deepest useful trace level (1: camera rays alone)
+};
+
+/// All features, by the names that --explain gives them.
+inline constexpr std::pair<std::string_view, bool Needs::*> kNeededFeatures[] = {
+    {"infinite objects", &Needs::infinite_objects},
+    {"constructive solid geometry", &Needs::csg},
+    {"clipping", &Needs::clipping},
+    {"transparency", &Needs::transparency},
+    {"transparent shadows", &Needs::transparent_shadows},
+    {"shadows that begin anew behind each surface", &Needs::shadows_begin_anew},
+    {"refraction", &Needs::refraction},
+    {"dispersion", &Needs::dispersion},
+    {"interiors", &Needs::interiors},
+    {"reflection", &Needs::reflection},
+    {"layered textures", &Needs::layered_textures},
+    {"textures by place", &Needs::textures_by_place},
+    {"interior textures", &Needs::interior_textures},
+    {"subsurface light", &Needs::subsurface},
+    {"highlights", &Needs::highlights},
+    {"area lights", &Needs::area_lights},
+    {"area illumination", &Needs::area_illumination},
+    {"lights projected through objects", &Needs::projected_lights},
+    {"spot and cylindrical lights", &Needs::spot_lights},
+    {"fading lights", &Needs::fading_lights},
+    {"shadowless lights", &Needs::shadowless_lights},
+    {"no_image, no_reflection, no_shadow", &Needs::visibility_flags},
+    {"sky sphere", &Needs::sky_sphere},
+    {"fog, rainbows or media of the air", &Needs::atmosphere},
+    {"media", &Needs::media},
+    {"air that dims lights", &Needs::dimming_air},
 };
 
 }  // namespace lentray::core

@@ -213,35 +213,9 @@ Needs find_needs(const SceneParts& parts) { return Finder(parts).run(); }
 
 Needs everything_needed(Needs found, const SceneSettings& settings) {
   Needs all;
+  for (const auto& [name, feature] : kNeededFeatures) all.*feature = true;
   all.primitives = std::move(found.primitives);
   all.shadows_begin_anew = found.shadows_begin_anew;  // this alone changes what is found
-  for (bool Needs::*feature : {&Needs::infinite_objects,
-                               &Needs::csg,
-                               &Needs::clipping,
-                               &Needs::transparency,
-                               &Needs::transparent_shadows,
-                               &Needs::refraction,
-                               &Needs::interiors,
-                               &Needs::reflection,
-                               &Needs::layered_textures,
-                               &Needs::textures_by_place,
-                               &Needs::interior_textures,
-                               &Needs::subsurface,
-                               &Needs::highlights,
-                               &Needs::area_lights,
-                               &Needs::spot_lights,
-                               &Needs::fading_lights,
-                               &Needs::shadowless_lights,
-                               &Needs::visibility_flags,
-                               &Needs::sky_sphere,
-                               &Needs::atmosphere,
-                               &Needs::area_illumination,
-                               &Needs::projected_lights,
-                               &Needs::media,
-                               &Needs::dimming_air,
-                               &Needs::dispersion}) {
-    all.*feature = true;
-  }
   all.greatest_depth = std::max(1, settings.max_trace_level);
   return all;
 }

@@ -43,8 +43,9 @@ class Probe final : public MediaProbe {
 
 }  // namespace
 
-void add_media(const InteriorTable& table, InteriorsId inside, MediaList& list) {
-  const auto before = static_cast<std::ptrdiff_t>(list.size());
+void find_media(const InteriorTable& table, InteriorsId inside, MediaList& list) {
+  list.clear();
+  if (!table.is_hollow(inside)) return;
   for (; inside != InteriorsId::kOpen; inside = table.around(inside)) {
     const Interior* interior = table.back(inside).interior;
     if (!interior) continue;
@@ -52,7 +53,7 @@ void add_media(const InteriorTable& table, InteriorsId inside, MediaList& list) 
       list.push_back(medium->get());
     }
   }
-  std::reverse(list.begin() + before, list.end());
+  std::reverse(list.begin(), list.end());
 }
 
 const Medium& leading(const MediaList& list) {
@@ -78,11 +79,7 @@ Rgb MediaAttenuation::left(const MediaList& media, const Segment& way) {
   const Medium& first = leading(media);
   m_cutter.cut(first.sampling, first.densities.empty(), way.length, m_lit, m_intervals);
   const SamplingPlan plan{first.sampling, least_aa_threshold(media), {}};
-  if (first.sampling.method == SamplingMethod::kAdaptive) {
-    sample_adaptively(plan, probe, m_intervals);
-  } else {
-    sample_at_random(plan, probe, m_intervals);
-  }
+  sample_media(plan, probe, m_intervals);
   return sum_of(m_intervals).left;
 }
 

@@ -15,8 +15,8 @@ namespace lentray::core {
 /// Media that fill one place together.
 using MediaList = std::vector<const Medium*>;
 
-/// Those of the interiors, outermost first.
-void add_media(const InteriorTable& table, InteriorsId inside, MediaList& list);
+/// Those of the interiors, outermost first; none where they are not all hollow.
+void find_media(const InteriorTable& table, InteriorsId inside, MediaList& list);
 /// Of these, the one whose sampling settings hold for all: with the most intervals, the first of such.
 const Medium& leading(const MediaList& list);
 double least_aa_threshold(const MediaList& list);

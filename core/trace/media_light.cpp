@@ -121,10 +121,7 @@ MediaLight::MediaLight(ThreadContext& context, ShadowTester& shadows)
 
 void MediaLight::pass_interiors(const RayState& state, double length, int level,
                                 const Attributes& looks, Radiance& light) {
-  const InteriorTable& table = m_context.interiors;
-  if (state.inside == InteriorsId::kOpen || !table.is_hollow(state.inside)) return;
-  m_media.clear();
-  add_media(table, state.inside, m_media);
+  find_media(m_context.interiors, state.inside, m_media);
   pass(state, length, level, &looks, branch_key(state.key, kInteriors), light);
 }
 
@@ -145,11 +142,7 @@ void MediaLight::pass(const RayState& state, double length, int level, const Att
   m_cutter.cut(first.sampling, first.densities.empty(), length, m_lit, m_intervals);
   Probe probe(*this, state, level, lists, key);
   const SamplingPlan plan{first.sampling, least_aa_threshold(m_media), first.variance_limits};
-  if (first.sampling.method == SamplingMethod::kAdaptive) {
-    sample_adaptively(plan, probe, m_intervals);
-  } else {
-    sample_at_random(plan, probe, m_intervals);
-  }
+  sample_media(plan, probe, m_intervals);
   const MediaSum sum = sum_of(m_intervals);
   light.rgb = light.rgb * sum.left + sum.source;
   light.transmit *= grey(sum.left);

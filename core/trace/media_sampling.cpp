@@ -78,8 +78,7 @@ class Adaptive {
   const MediaInterval& m_interval;
 };
 
-}  // namespace
-
+/// Methods 1 and 2.
 void sample_at_random(const SamplingPlan& plan, MediaProbe& probe,
                       std::span<MediaInterval> intervals) {
   const MediumSampling& sampling = plan.sampling;
@@ -96,6 +95,7 @@ void sample_at_random(const SamplingPlan& plan, MediaProbe& probe,
   for (MediaInterval& interval : intervals) add_more(plan, probe, interval);
 }
 
+/// Method 3.
 void sample_adaptively(const SamplingPlan& plan, MediaProbe& probe,
                        std::span<MediaInterval> intervals) {
   const int parts = std::max(plan.sampling.min_samples / 2 + 1, 2);
@@ -116,6 +116,13 @@ void sample_adaptively(const SamplingPlan& plan, MediaProbe& probe,
     }
     interval.samples = parts;
   }
+}
+
+}  // namespace
+
+void sample_media(const SamplingPlan& plan, MediaProbe& probe, std::span<MediaInterval> intervals) {
+  const bool is_adaptive = plan.sampling.method == SamplingMethod::kAdaptive;
+  (is_adaptive ? sample_adaptively : sample_at_random)(plan, probe, intervals);
 }
 
 }  // namespace lentray::core

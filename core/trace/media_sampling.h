@@ -40,11 +40,7 @@ struct SamplingPlan {
   std::span<const double> variance_limits;  ///< empty: no more samples than the least
 };
 
-/// Methods 1 and 2.
-void sample_at_random(const SamplingPlan& plan, MediaProbe& probe,
-                      std::span<MediaInterval> intervals);
-/// Method 3.
-void sample_adaptively(const SamplingPlan& plan, MediaProbe& probe,
-                       std::span<MediaInterval> intervals);
+/// By the method of the plan's settings.
+void sample_media(const SamplingPlan& plan, MediaProbe& probe, std::span<MediaInterval> intervals);
 
 }  // namespace lentray::core

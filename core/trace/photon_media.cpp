@@ -4,16 +4,9 @@
 
 namespace lentray::core {
 
-bool PhotonMedia::find_media(InteriorsId inside) {
-  const InteriorTable& table = m_context.interiors;
-  m_media.clear();
-  if (inside == InteriorsId::kOpen || !table.is_hollow(inside)) return false;
-  add_media(table, inside, m_media);
-  return !m_media.empty();
-}
-
 void PhotonMedia::pass(const Piece& piece, MediaDraws& draws, Rgb& power) {
-  if (!find_media(piece.inside)) return;
+  find_media(m_context.interiors, piece.inside, m_media);
+  if (m_media.empty()) return;
   find_intervals(piece);
   const MediumSampling& sampling = leading(m_media).sampling;
   const int places = sampling.method == SamplingMethod::kAdaptive
@@ -50,7 +43,8 @@ PhotonMedia::Steps PhotonMedia::steps_in(const MediaInterval& interval, const Pi
 void PhotonMedia::pass(const Piece& piece, const PhotonShot& shot, MediaDraws& draws, Rgb& power,
                        std::vector<Photon>& out) {
   const auto any = [this](auto&& has) { return std::any_of(m_media.begin(), m_media.end(), has); };
-  if (!find_media(piece.inside) || !any([](const Medium* m) { return m->dims(); })) return;
+  find_media(m_context.interiors, piece.inside, m_media);
+  if (!any([](const Medium* m) { return m->dims(); })) return;
   const bool leaves = any([](const Medium* m) { return m->scatters(); }) &&
                       any([](const Medium* m) { return m->collects_photons; });
   find_intervals(piece);

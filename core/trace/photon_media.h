@@ -44,7 +44,6 @@ class PhotonMedia {
             std::vector<Photon>& out);
 
  private:
-  bool find_media(InteriorsId inside);
   void find_lit_parts(const Piece& piece);
   void find_intervals(const Piece& piece);
   /// Of an interval.

@@ -155,9 +155,7 @@ double PlainShadowTester::filter_found(const Ray& ray, const Light& light, Rgb& 
 }
 
 Rgb PlainShadowTester::left_by_interiors(const Segment& way) {
-  if (m_inside == InteriorsId::kOpen || !m_table.is_hollow(m_inside)) return Rgb(1.0f);
-  m_media_here.clear();
-  add_media(m_table, m_inside, m_media_here);
+  find_media(m_table, m_inside, m_media_here);
   return m_attenuation.left(m_media_here, way);
 }
 

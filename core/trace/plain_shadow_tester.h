@@ -38,7 +38,8 @@ class PlainShadowTester final : public ShadowTester {
   /// The same test against one opaque object of the scene: whether it alone blocks the query.
   bool blocks(const Object& object, const ShadowQuery& query) const {
     const double reach = query.distance - m_tolerance;
-    return reach > m_tolerance && object.any(query.ray, start(query), reach, m_context.arena);
+    return reach > m_tolerance &&
+           object.any(query.ray, start(query), reach, {m_context.arena, RayKind::kShadow});
   }
   ThreadContext& context() const { return m_context; }
 
@@ -92,11 +93,6 @@ class PlainShadowTester final : public ShadowTester {
   MediaAttenuation m_attenuation;
 };
 
-class PlainShadowTesterFactory final : public ShadowTesterFactory {
- public:
-  std::unique_ptr<ShadowTester> make(ThreadContext& context) const override {
-    return std::make_unique<PlainShadowTester>(context);
-  }
-};
+using PlainShadowTesterFactory = ShadowTestersOf<PlainShadowTester>;
 
 }  // namespace lentray::core

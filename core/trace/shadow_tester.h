@@ -56,4 +56,13 @@ class ShadowTesterFactory {
   virtual std::unique_ptr<ShadowTester> make(ThreadContext& context) const = 0;
 };
 
+/// Of testers that are made of the thread's context alone.
+template <class Tester>
+class ShadowTestersOf final : public ShadowTesterFactory {
+ public:
+  std::unique_ptr<ShadowTester> make(ThreadContext& context) const override {
+    return std::make_unique<Tester>(context);
+  }
+};
+
 }  // namespace lentray::core

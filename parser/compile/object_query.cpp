@@ -35,7 +35,8 @@ bool ObjectQuery::trace(const core::Vec3& origin, const core::Vec3& direction, c
   if (!m_object || ray.direction == core::Vec3{}) return false;
   core::Hit hit;
   core::HitArena arena;
-  if (!m_object->nearest(ray, kMinDistance, m_farthest, hit, arena)) return false;
+  if (!m_object->nearest(ray, kMinDistance, m_farthest, hit, {arena, core::RayKind::kShadow}))
+    return false;
   point = ray.at(hit.t);
   normal = hit.leaf->normal(point, hit.shape);
   return true;

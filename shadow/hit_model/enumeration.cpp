@@ -120,11 +120,7 @@ class Enumeration::Counting {
   }
   Runs views() const {
     Runs sum;
-    for (const auto& view : columns_by_view(m_of.m_columns.size(), &sheet())) {
-      Runs row;
-      for (const std::uint32_t k : view) row += runs_of(m_of.m_columns[k]);
-      sum += rows_of(row);
-    }
+    for (const Runs& view : rows_of_lists(1, true)) sum += rows_of(view);
     return sum;
   }
   Runs columns() const {
@@ -147,12 +143,7 @@ class Enumeration::Counting {
     return all;
   }
   Runs strips(std::uint32_t width, std::uint32_t height) const {
-    std::vector<Runs> rows_of_strips;
-    for (const Strip& s : strips_of_lenses(m_of.m_columns.size(), &sheet(), width)) {
-      Runs row;
-      for (std::uint32_t k = s.begin; k < s.end; ++k) row += runs_of(m_of.m_columns[k]);
-      rows_of_strips.push_back(row);
-    }
+    const std::vector<Runs> rows_of_strips = rows_of_lists(width, false);
     Runs sum;
     for (std::size_t top = 0; top < m_of.m_rows.size(); top += height) {
       const std::size_t bottom = std::min(top + height, m_of.m_rows.size());
@@ -166,6 +157,18 @@ class Enumeration::Counting {
   }
 
  private:
+  /// A row that is met, by lists of its columns.
+  std::vector<Runs> rows_of_lists(std::uint32_t width, bool joined) const {
+    const auto columns = static_cast<std::uint32_t>(m_of.m_columns.size());
+    const ColumnLists lists = lists_of_strips(lenses_of(columns, &sheet()), width, 0, joined);
+    std::vector<Runs> rows(lists.before.size() - 1);
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+      for (std::size_t k = lists.before[i]; k < lists.before[i + 1]; ++k) {
+        rows[i] += runs_of(m_of.m_columns[lists.columns[k]]);
+      }
+    }
+    return rows;
+  }
   const camera::LensSheet& sheet() const { return m_of.m_sheet.columns(); }
   const Enumeration& m_of;
 };

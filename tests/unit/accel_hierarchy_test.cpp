@@ -50,7 +50,7 @@ void expect_same(const Hierarchy& list, const Hierarchy& tree, const Ray& ray, d
   if (blocker) {
     ASSERT_TRUE(blocker->is_opaque());
     ASSERT_FALSE(blocker->attributes().no_shadow);
-    ASSERT_TRUE(blocker->any(ray, t_min, t_max, arena));
+    ASSERT_TRUE(blocker->any(ray, t_min, t_max, {arena, RayKind::kShadow}));
   }
   std::vector<Hit> all_list, all_tree;
   list.all_transparent(ray, t_min, t_max, false, all_list, arena, nullptr);

@@ -49,7 +49,7 @@ void expect_same_answer(const LightBuffer& buffer, const Hierarchy& hierarchy, c
     ++seen[0];
     ASSERT_TRUE(blocker->is_opaque());
     ASSERT_FALSE(blocker->attributes().no_shadow);
-    ASSERT_TRUE(blocker->any(ray, kTolerance, reach, arena));
+    ASSERT_TRUE(blocker->any(ray, kTolerance, reach, {arena, RayKind::kShadow}));
     return;
   }
   ++seen[1];

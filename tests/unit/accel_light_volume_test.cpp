@@ -67,7 +67,7 @@ class Edges {
     LightBuffer::Spot spot;
     m_buffer->locate(point, spot);
     if (!m_buffer->serves(spot, distance) || !(reach > m_tolerance)) return false;
-    const bool expected = m_objects[0]->any(ray, m_tolerance, reach, m_arena);
+    const bool expected = m_objects[0]->any(ray, m_tolerance, reach, {m_arena, RayKind::kShadow});
     Counters counters;
     const Object* found =
         m_buffer->any_opaque(spot, ray, m_tolerance, reach, m_arena, &counters).blocker;

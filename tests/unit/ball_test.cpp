@@ -133,7 +133,7 @@ TEST_P(UnitBallOfShape, HoldsAllThatIsMet) {
       const Ray ray =
           rays.between(middle + rays.point(2.0 * reach), middle + rays.point(0.6 * reach));
       found.clear();
-      plain.all(ray, 1e-6, Bounds::kInf, found, arena);
+      plain.all(ray, 1e-6, Bounds::kInf, found, {arena, core::RayKind::kShadow});
       for (const core::Hit& hit : found) {
         EXPECT_FALSE(ball.is_missed_by(ray)) << sdl;
         // What extends beyond bounded_by is met by rays that pass through that, and a parametric's

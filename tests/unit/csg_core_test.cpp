@@ -54,8 +54,8 @@ TEST_P(UnitCsgCore, SparesWorkAlone) {
       if (i % 10 == 0) way = normalized(Vec3{way.x, 0.0, way.z});
       const Ray ray{from, way};
       std::vector<Hit> found, expected;
-      shorter.all(ray, 1e-6, Bounds::kInf, found, arena);
-      longer.all(ray, 1e-6, Bounds::kInf, expected, arena);
+      shorter.all(ray, 1e-6, Bounds::kInf, found, {arena, core::RayKind::kShadow});
+      longer.all(ray, 1e-6, Bounds::kInf, expected, {arena, core::RayKind::kShadow});
       const auto nearer = [](const Hit& a, const Hit& b) { return a.t < b.t; };
       std::sort(found.begin(), found.end(), nearer);
       std::sort(expected.begin(), expected.end(), nearer);
@@ -64,10 +64,12 @@ TEST_P(UnitCsgCore, SparesWorkAlone) {
       met += !found.empty();
       const double to = i % 2 == 0 ? Bounds::kInf : 1.5;
       Hit first, expected_first;
-      const bool is_met = longer.nearest(ray, 1e-6, to, expected_first, arena);
-      ASSERT_EQ(shorter.nearest(ray, 1e-6, to, first, arena), is_met) << i;
+      const bool is_met =
+          longer.nearest(ray, 1e-6, to, expected_first, {arena, core::RayKind::kShadow});
+      ASSERT_EQ(shorter.nearest(ray, 1e-6, to, first, {arena, core::RayKind::kShadow}), is_met)
+          << i;
       ASSERT_EQ(first.t, expected_first.t) << i;
-      ASSERT_EQ(shorter.any(ray, 1e-6, to, arena), is_met) << i;
+      ASSERT_EQ(shorter.any(ray, 1e-6, to, {arena, core::RayKind::kShadow}), is_met) << i;
     }
   }
   EXPECT_GT(met, 1000);

@@ -50,7 +50,7 @@ std::unique_ptr<Csg> overlap_column(CsgKind kind, bool inverse_parts) {
 template <class Asked>
 std::vector<double> sorted_distances(const Asked& object, const Ray& ray, HitArena& arena) {
   std::vector<Hit> hits;
-  object.all(ray, 1e-6, 100.0, hits, arena);
+  object.all(ray, 1e-6, 100.0, hits, {arena, RayKind::kShadow});
   std::vector<double> t;
   for (const Hit& hit : hits) t.push_back(hit.t);
   std::sort(t.begin(), t.end());
@@ -73,9 +73,9 @@ void expect_overlap_answers(CsgKind kind, bool inverse_parts) {
     const Ray ray{from, to - from};
     const double limit = i % 3 == 0 ? 1.0 : 100.0;
     Hit a, b;
-    const bool found = quick->nearest(ray, 1e-6, limit, a, arena);
-    ASSERT_EQ(found, plain.nearest(ray, 1e-6, limit, b, arena)) << i;
-    ASSERT_EQ(found, quick->any(ray, 1e-6, limit, arena)) << i;
+    const bool found = quick->nearest(ray, 1e-6, limit, a, {arena, RayKind::kShadow});
+    ASSERT_EQ(found, plain.nearest(ray, 1e-6, limit, b, {arena, RayKind::kShadow})) << i;
+    ASSERT_EQ(found, quick->any(ray, 1e-6, limit, {arena, RayKind::kShadow})) << i;
     if (found) {
       ASSERT_EQ(a.t, b.t) << i;
       ASSERT_EQ(a.shape.element, b.shape.element) << i;

@@ -39,7 +39,7 @@ std::unique_ptr<Object> geometry_csg_csg(CsgKind kind, Objects... objects) {
 std::vector<double> depths(const Object& object, const Ray& ray) {
   HitArena arena;
   std::vector<Hit> hits;
-  object.all(ray, 0.0, kGeometryCsgInf, hits, arena);
+  object.all(ray, 0.0, kGeometryCsgInf, hits, {arena, RayKind::kShadow});
   std::vector<double> t;
   for (const Hit& h : hits) t.push_back(h.t);
   std::sort(t.begin(), t.end());
@@ -92,8 +92,9 @@ TEST(UnitCoreCsg, SurfacesLieExactlyWhereInsideChanges) {
       const Ray ray = random.ray(4.0, 1.0);
       std::vector<double> t = depths(*object, ray);
       Hit first;
-      ASSERT_EQ(object->nearest(ray, 0.0, kGeometryCsgInf, first, arena), !t.empty());
-      EXPECT_EQ(object->any(ray, 0.0, kGeometryCsgInf, arena), !t.empty());
+      ASSERT_EQ(object->nearest(ray, 0.0, kGeometryCsgInf, first, {arena, RayKind::kShadow}),
+                !t.empty());
+      EXPECT_EQ(object->any(ray, 0.0, kGeometryCsgInf, {arena, RayKind::kShadow}), !t.empty());
       if (!t.empty()) {
         EXPECT_EQ(first.t, t[0]);
       }
@@ -153,7 +154,7 @@ TEST(UnitCoreCsg, NormalsOfInvertedPartsPointIntoTheHole) {
   HitArena arena;
   Hit hit;
   const Ray ray{{0, 0, 0}, {1, 0, 0}};
-  ASSERT_TRUE(object->nearest(ray, 0, kGeometryCsgInf, hit, arena));
+  ASSERT_TRUE(object->nearest(ray, 0, kGeometryCsgInf, hit, {arena, RayKind::kShadow}));
   EXPECT_EQ(hit.leaf->normal(ray.at(hit.t), hit.shape), (Vec3{-1, 0, 0}));
 }
 
@@ -195,8 +196,8 @@ TEST(UnitCoreCsg, ManyChildrenMatchFew) {
       ASSERT_EQ(wide.inside(p), nested->inside(p));
       HitArena arena;
       Hit a, b;
-      ASSERT_EQ(wide.nearest(ray, 0.0, kGeometryCsgInf, a, arena),
-                nested->nearest(ray, 0.0, kGeometryCsgInf, b, arena));
+      ASSERT_EQ(wide.nearest(ray, 0.0, kGeometryCsgInf, a, {arena, RayKind::kShadow}),
+                nested->nearest(ray, 0.0, kGeometryCsgInf, b, {arena, RayKind::kShadow}));
       EXPECT_EQ(a.t, b.t);
     }
   }
@@ -213,7 +214,8 @@ TEST(UnitCoreCsg, TiesGoToTheLastChild) {
     const Csg object(CsgKind::kUnion, std::move(children));
     HitArena arena;
     Hit hit;
-    ASSERT_TRUE(object.nearest({{0, 0, -5}, {0, 0, 1}}, 0, kGeometryCsgInf, hit, arena));
+    ASSERT_TRUE(object.nearest({{0, 0, -5}, {0, 0, 1}}, 0, kGeometryCsgInf, hit,
+                               {arena, RayKind::kShadow}));
     EXPECT_EQ(hit.leaf, last);
   }
 }
@@ -225,13 +227,14 @@ TEST(UnitCoreClipping, KeepsSurfacesWithinAndCountsForInside) {
   EXPECT_EQ(depths(*sphere, {{0, 0, -5}, {0, 0, 1}}), (std::vector<double>{6}));
   HitArena arena;
   Hit hit;
-  ASSERT_TRUE(sphere->nearest({{0, 0, -5}, {0, 0, 1}}, 0, kGeometryCsgInf, hit, arena));
+  ASSERT_TRUE(
+      sphere->nearest({{0, 0, -5}, {0, 0, 1}}, 0, kGeometryCsgInf, hit, {arena, RayKind::kShadow}));
   EXPECT_DOUBLE_EQ(hit.t, 6.0);
   EXPECT_TRUE(sphere->inside({0, 0, 0.5}));
   EXPECT_FALSE(sphere->inside({0, 0, -0.5}));
   EXPECT_NEAR(sphere->bounds().lo.z, 0.0, 1e-9);
-  EXPECT_FALSE(sphere->any({{0, 0, -5}, {0, 0, 1}}, 0, 5.5, arena));
-  EXPECT_FALSE(sphere->nearest({{0, 0, -5}, {0, 0, 1}}, 0, 5.5, hit, arena));
+  EXPECT_FALSE(sphere->any({{0, 0, -5}, {0, 0, 1}}, 0, 5.5, {arena, RayKind::kShadow}));
+  EXPECT_FALSE(sphere->nearest({{0, 0, -5}, {0, 0, 1}}, 0, 5.5, hit, {arena, RayKind::kShadow}));
   EXPECT_DOUBLE_EQ(hit.t, 6.0);
 
   auto pair = geometry_csg_csg(CsgKind::kUnion, leaf<Sphere>(Vec3{0, 0, 0}, 1.0),
@@ -239,10 +242,11 @@ TEST(UnitCoreClipping, KeepsSurfacesWithinAndCountsForInside) {
   pair->set_clips(
       {std::shared_ptr<const Object>(leaf<Plane>(Vec3{0, 0, -1}, -4.5))});  // keeps z >= 4.5
   EXPECT_EQ(depths(*pair, {{0, 0, -5}, {0, 0, 1}}), (std::vector<double>{11}));
-  ASSERT_TRUE(pair->nearest({{0, 0, -5}, {0, 0, 1}}, 0, kGeometryCsgInf, hit, arena));
+  ASSERT_TRUE(
+      pair->nearest({{0, 0, -5}, {0, 0, 1}}, 0, kGeometryCsgInf, hit, {arena, RayKind::kShadow}));
   EXPECT_DOUBLE_EQ(hit.t, 11.0);
   // Without a hit in the range the caller's stays as it was.
-  EXPECT_FALSE(pair->nearest({{0, 0, -5}, {0, 0, 1}}, 0, 10.5, hit, arena));
+  EXPECT_FALSE(pair->nearest({{0, 0, -5}, {0, 0, 1}}, 0, 10.5, hit, {arena, RayKind::kShadow}));
   EXPECT_DOUBLE_EQ(hit.t, 11.0);
 }
 
@@ -253,14 +257,18 @@ TEST(UnitCoreClipping, InverseClipsAndInfiniteObjects) {
   EXPECT_TRUE(plane->bounds().is_finite());
   HitArena arena;
   Hit hit;
-  EXPECT_TRUE(plane->nearest({{1, 5, 0}, {0, -1, 0}}, 0, kGeometryCsgInf, hit, arena));
-  EXPECT_FALSE(plane->nearest({{3, 5, 0}, {0, -1, 0}}, 0, kGeometryCsgInf, hit, arena));
+  EXPECT_TRUE(
+      plane->nearest({{1, 5, 0}, {0, -1, 0}}, 0, kGeometryCsgInf, hit, {arena, RayKind::kShadow}));
+  EXPECT_FALSE(
+      plane->nearest({{3, 5, 0}, {0, -1, 0}}, 0, kGeometryCsgInf, hit, {arena, RayKind::kShadow}));
   auto hole = leaf<Sphere>(Vec3{}, 2.0);
   hole->set_inverse(true);
   plane->set_clips({std::shared_ptr<const Object>(std::move(hole))});
   EXPECT_FALSE(plane->bounds().is_finite());
-  EXPECT_FALSE(plane->nearest({{1, 5, 0}, {0, -1, 0}}, 0, kGeometryCsgInf, hit, arena));
-  EXPECT_TRUE(plane->nearest({{3, 5, 0}, {0, -1, 0}}, 0, kGeometryCsgInf, hit, arena));
+  EXPECT_FALSE(
+      plane->nearest({{1, 5, 0}, {0, -1, 0}}, 0, kGeometryCsgInf, hit, {arena, RayKind::kShadow}));
+  EXPECT_TRUE(
+      plane->nearest({{3, 5, 0}, {0, -1, 0}}, 0, kGeometryCsgInf, hit, {arena, RayKind::kShadow}));
 }
 
 std::unique_ptr<Object> gated_by_box(std::unique_ptr<Object> content, const Vec3& lo,
@@ -273,11 +281,14 @@ TEST(UnitCoreGated, RaysThatMissAGateMissTheContent) {
   const auto sphere = gated_by_box(leaf<Sphere>(Vec3{}, 1.0), {-2, 0, -2}, {2, 2, 2});
   HitArena arena;
   Hit hit;
-  EXPECT_TRUE(sphere->nearest({{0, 0.5, -5}, {0, 0, 1}}, 0, kGeometryCsgInf, hit, arena));
-  EXPECT_FALSE(sphere->nearest({{0, -0.5, -5}, {0, 0, 1}}, 0, kGeometryCsgInf, hit, arena));
-  EXPECT_FALSE(sphere->any({{0, -0.5, -5}, {0, 0, 1}}, 0, kGeometryCsgInf, arena));
+  EXPECT_TRUE(sphere->nearest({{0, 0.5, -5}, {0, 0, 1}}, 0, kGeometryCsgInf, hit,
+                              {arena, RayKind::kShadow}));
+  EXPECT_FALSE(sphere->nearest({{0, -0.5, -5}, {0, 0, 1}}, 0, kGeometryCsgInf, hit,
+                               {arena, RayKind::kShadow}));
+  EXPECT_FALSE(
+      sphere->any({{0, -0.5, -5}, {0, 0, 1}}, 0, kGeometryCsgInf, {arena, RayKind::kShadow}));
   EXPECT_TRUE(sphere->nearest({{0, 0.5, 0}, {0, -1, 0}}, 0, kGeometryCsgInf, hit,
-                              arena));  // starts inside it
+                              {arena, RayKind::kShadow}));  // starts inside it
   EXPECT_TRUE(sphere->inside({0, -0.5, 0}));
 }
 

@@ -236,11 +236,11 @@ TEST(UnitGeometryClips, TheNearestOfAPolynomialIsTheFirstOfAllThatAreKept) {
     const Ray ray{{random.in(-3, 3), random.in(-3, 3), random.in(-3, 3)},
                   {random.in(-1, 1), random.in(-1, 1), random.in(-1, 1)}};
     std::vector<Hit> all;
-    leaf.all(ray, 0.0, Bounds::kInf, all, arena);
+    leaf.all(ray, 0.0, Bounds::kInf, all, {arena, RayKind::kShadow});
     double first = Bounds::kInf;
     for (const Hit& hit : all) first = std::min(first, hit.t);
     Hit hit;
-    ASSERT_EQ(leaf.nearest(ray, 0.0, Bounds::kInf, hit, arena), !all.empty());
+    ASSERT_EQ(leaf.nearest(ray, 0.0, Bounds::kInf, hit, {arena, RayKind::kShadow}), !all.empty());
     if (all.empty()) continue;
     ASSERT_EQ(hit.t, first);
     ++met;
@@ -280,8 +280,8 @@ TEST(UnitGeometryClips, APolynomialLosesNoCrossingToTheBallOfItsClips) {
       const Ray ray{{random.in(0, 4), random.in(-3, 1), random.in(1, 5)},
                     {random.in(-1, 1), random.in(-1, 1), random.in(-1, 1)}};
       std::vector<Hit> all, kept;
-      whole.all(ray, 1e-6, Bounds::kInf, all, arena);
-      clipped.all(ray, 1e-6, Bounds::kInf, kept, arena);
+      whole.all(ray, 1e-6, Bounds::kInf, all, {arena, RayKind::kShadow});
+      clipped.all(ray, 1e-6, Bounds::kInf, kept, {arena, RayKind::kShadow});
       std::erase_if(all, [&](const Hit& hit) { return !clip->inside(ray.at(hit.t)); });
       ASSERT_EQ(kept.size(), all.size()) << order << ' ' << i;
       for (std::size_t k = 0; k < kept.size(); ++k)

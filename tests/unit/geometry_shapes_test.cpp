@@ -169,8 +169,10 @@ TEST(UnitCoreShapes, TransformedLeavesMatchTheShapeItself) {
         ShapeHit expected;
         Hit hit;
         const bool met = shape->nearest(local, 1e-6, kGeometryShapesInf, expected);
-        ASSERT_EQ(leaf.nearest(world, 1e-6, kGeometryShapesInf, hit, arena), met) << kind.name;
-        EXPECT_EQ(leaf.any(world, 1e-6, kGeometryShapesInf, arena), met);
+        ASSERT_EQ(leaf.nearest(world, 1e-6, kGeometryShapesInf, hit, {arena, RayKind::kShadow}),
+                  met)
+            << kind.name;
+        EXPECT_EQ(leaf.any(world, 1e-6, kGeometryShapesInf, {arena, RayKind::kShadow}), met);
         EXPECT_EQ(leaf.inside(t.point(local.at(5.0))), shape->inside(local.at(5.0))) << kind.name;
         if (!met) continue;
         EXPECT_NEAR(hit.t, expected.t, 1e-9 * 5.0) << kind.name;
@@ -212,7 +214,7 @@ TEST(UnitCoreShapes, BoundsHoldTheSurfaceAndAreTight) {
                            random.in(box.lo.z, box.hi.z)};
         const Ray ray{through - d * far, d};
         hits.clear();
-        leaf.all(ray, 0.0, kGeometryShapesInf, hits, arena);
+        leaf.all(ray, 0.0, kGeometryShapesInf, hits, {arena, RayKind::kShadow});
         for (const Hit& h : hits) seen.include(ray.at(h.t));
       }
       const double slack = 1e-11 * far;
@@ -308,7 +310,7 @@ TEST(UnitCoreShapes, ScalesFromTinyToHuge) {
         ShapeHit expected;
         Hit hit;
         const bool met = shape->nearest(local, 0.0, kGeometryShapesInf, expected);
-        if (small.nearest(ray, 0.0, kGeometryShapesInf, hit, arena) != met) {
+        if (small.nearest(ray, 0.0, kGeometryShapesInf, hit, {arena, RayKind::kShadow}) != met) {
           ++differ;
         } else if (met) {
           EXPECT_NEAR(hit.t / s, expected.t, 1e-9) << kind.name << " " << s;
@@ -335,7 +337,7 @@ TEST(UnitCoreShapes, DetailsFarFromTheOrigin) {
       const bool met = shape->nearest(local, 0.0, kGeometryShapesInf, expected);
       met_count += met;
       const Ray ray{local.origin + away, local.direction};
-      if (leaf.nearest(ray, 0.0, kGeometryShapesInf, hit, arena) != met) {
+      if (leaf.nearest(ray, 0.0, kGeometryShapesInf, hit, {arena, RayKind::kShadow}) != met) {
         ++differ;
       } else if (met) {
         const Vec3 n = normalized(shape->normal(local.at(expected.t), expected));

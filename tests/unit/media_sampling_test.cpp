@@ -37,11 +37,7 @@ MediaSum sampled(const MediumSampling& sampling, double length, MediaProbe& prob
   IntervalCutter().cut(sampling, false, length, lit, intervals);
   const std::vector<double> limits = find_variance_limits(sampling);
   const SamplingPlan plan{sampling, sampling.aa_threshold, limits};
-  if (sampling.method == SamplingMethod::kAdaptive) {
-    sample_adaptively(plan, probe, intervals);
-  } else {
-    sample_at_random(plan, probe, intervals);
-  }
+  sample_media(plan, probe, intervals);
   return sum_of(intervals);
 }
 

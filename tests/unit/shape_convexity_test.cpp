@@ -33,7 +33,8 @@ Seen leave(const std::string& sdl) {
   for (int i = 0; i < 4000; ++i) {
     const Vec3 from = normalized(point()) * 9.0, way = normalized(point() * 0.6 - from);
     core::Hit hit;
-    if (!object.nearest({from, way}, 1e-6, Bounds::kInf, hit, arena)) continue;
+    if (!object.nearest({from, way}, 1e-6, Bounds::kInf, hit, {arena, core::RayKind::kShadow}))
+      continue;
     const Convexity convexity = hit.leaf->convexity();
     if (convexity == Convexity::kNone || !object.lies_in_parts()) continue;
     const Vec3 p = from + way * hit.t;
@@ -50,7 +51,7 @@ Seen leave(const std::string& sdl) {
       if (dot(along, out) < 0.0) along = -along;
       if (!(dot(along, out) > kOfSlope)) continue;
       ++seen.sure;
-      seen.met += object.any({p, along}, kTolerance, Bounds::kInf, arena);
+      seen.met += object.any({p, along}, kTolerance, Bounds::kInf, {arena, core::RayKind::kShadow});
     }
   }
   return seen;

@@ -19,8 +19,10 @@ TEST_P(UnitShapeInverse, OfAnIntersectionIsTheMergeOfInverses) {
   for (int i = 0; i < 400; ++i) {
     const core::Ray ray = random.ray(4.0, 0.7);
     core::Hit found, expected;
-    const bool meets = a.objects[0]->nearest(ray, 1e-6, core::Bounds::kInf, found, arena);
-    ASSERT_EQ(meets, b.objects[0]->nearest(ray, 1e-6, core::Bounds::kInf, expected, arena));
+    const bool meets = a.objects[0]->nearest(ray, 1e-6, core::Bounds::kInf, found,
+                                             {arena, core::RayKind::kShadow});
+    ASSERT_EQ(meets, b.objects[0]->nearest(ray, 1e-6, core::Bounds::kInf, expected,
+                                           {arena, core::RayKind::kShadow}));
     if (!meets) continue;
     EXPECT_EQ(found.t, expected.t);
     beyond += std::fabs(ray.at(found.t).y) > 0.5;

@@ -12,7 +12,8 @@ using core::Vec3;
 double distance_to(const core::Object& object, const core::Ray& ray) {
   core::Hit hit;
   core::HitArena arena;
-  return object.nearest(ray, 1e-6, core::Bounds::kInf, hit, arena) ? hit.t : -1.0;
+  return object.nearest(ray, 1e-6, core::Bounds::kInf, hit, {arena, core::RayKind::kShadow}) ? hit.t
+                                                                                             : -1.0;
 }
 
 TEST(UnitShapeJoints, RaysDoNotPassBetweenThePiecesOfALathe) {

@@ -58,7 +58,7 @@ class Answers {
 
   std::vector<Found> all(const Ray& ray, double t_min, double t_max) {
     std::vector<Hit> hits;
-    m_object.all(ray, t_min, t_max, hits, m_arena);
+    m_object.all(ray, t_min, t_max, hits, {m_arena, core::RayKind::kShadow});
     std::vector<Found> found;
     for (const Hit& hit : hits) found.push_back(describe(ray, hit));
     std::sort(found.begin(), found.end(), [](const Found& a, const Found& b) {
@@ -70,11 +70,11 @@ class Answers {
   /// Nothing, or the nearest.
   std::vector<Found> nearest(const Ray& ray, double t_min, double t_max) {
     Hit hit;
-    if (!m_object.nearest(ray, t_min, t_max, hit, m_arena)) return {};
+    if (!m_object.nearest(ray, t_min, t_max, hit, {m_arena, core::RayKind::kShadow})) return {};
     return {describe(ray, hit)};
   }
   bool any(const Ray& ray, double t_min, double t_max) {
-    return m_object.any(ray, t_min, t_max, m_arena);
+    return m_object.any(ray, t_min, t_max, {m_arena, core::RayKind::kShadow});
   }
   bool inside(const Vec3& p) const { return m_object.inside(p); }
 
