@@ -44,9 +44,17 @@ Number squared(Number v) {
 }
 inline double cubed(double v) { return v * v * v; }
 
+/// What a formula says of the point that the arguments name.
+using PointFormula = double (*)(const FormulaPoint& q);
+template <PointFormula kValue>
+double at_point(const double* a) {
+  return kValue(FormulaPoint(a));
+}
+
 /// A field of strength P0, held within +-10.
-inline double limited(const FormulaPoint& q, double value) {
-  return std::clamp(q.p[0] * value, -10.0, 10.0);
+template <PointFormula kValue>
+double limited(const FormulaPoint& q) {
+  return std::clamp(q.p[0] * kValue(q), -10.0, 10.0);
 }
 
 }  // namespace lentray::core
