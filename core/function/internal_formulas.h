@@ -33,7 +33,6 @@ struct FormulaPoint {
   explicit FormulaPoint(const double* a)
       : x(a[0]), y(a[1]), z(a[2]), x2(x * x), y2(y * y), z2(z * z), p(a + 3) {}
   double square() const { return x2 + y2 + z2; }
-  double radius() const { return std::sqrt(square()); }
   double ring2() const { return x2 + z2; }  ///< squared distance from the y axis
   double ring() const { return std::sqrt(ring2()); }
 };
