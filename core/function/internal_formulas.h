@@ -33,7 +33,6 @@ struct FormulaPoint {
   explicit FormulaPoint(const double* a)
       : x(a[0]), y(a[1]), z(a[2]), x2(x * x), y2(y * y), z2(z * z), p(a + 3) {}
   double square() const { return x2 + y2 + z2; }
-  double radius() const { return std::sqrt(square()); }
   double ring2() const { return x2 + z2; }  ///< squared distance from the y axis
   double ring() const { return std::sqrt(ring2()); }
 };
@@ -44,9 +43,17 @@ Number squared(Number v) {
 }
 inline double cubed(double v) { return v * v * v; }
 
+/// What a formula says of the point that the arguments name.
+using PointFormula = double (*)(const FormulaPoint& q);
+template <PointFormula kValue>
+double at_point(const double* a) {
+  return kValue(FormulaPoint(a));
+}
+
 /// A field of strength P0, held within +-10.
-inline double limited(const FormulaPoint& q, double value) {
-  return std::clamp(q.p[0] * value, -10.0, 10.0);
+template <PointFormula kValue>
+double limited(const FormulaPoint& q) {
+  return std::clamp(q.p[0] * kValue(q), -10.0, 10.0);
 }
 
 }  // namespace lentray::core

@@ -101,15 +101,13 @@ double hex_y(const double* a) {
 }
 
 // A screw of its own axis: P1 turns, P2 and P3 minor and major radius, P5 cross section.
-double helix2(const double* a) {
-  const FormulaPoint q(a);
+double helix2(const FormulaPoint& q) {
   const double c = std::cos(q.y * q.p[1]), s = std::sin(q.y * q.p[1]);
   const double x = q.x - q.p[3] * c, z = q.z - q.p[3] * s;
   return cross_section(x * c + z * s, z * c - x * s, q.p[5]) - q.p[2];
 }
 
-double helical_torus(const double* a) {
-  const FormulaPoint q(a);
+double helical_torus(const FormulaPoint& q) {
   const double major = q.p[0], hole = q.p[5], ring = q.ring();
   const double x = q.x == 0.0 && q.z == 0.0 ? 1e-6 : q.x;
   const double around = std::atan2(x, q.z);
@@ -123,8 +121,7 @@ double helical_torus(const double* a) {
   return -std::max(q.p[4] + hole - major - ring, width - std::min(strand, from_tube + hole));
 }
 
-double blob(const double* a) {
-  const FormulaPoint q(a);
+double blob(const FormulaPoint& q) {
   const auto ball = [&](double centre, double strength, double inverse_radius) {
     const double d2 = (squared(q.x - centre) + q.y2 + q.z2) * squared(inverse_radius);
     return strength * squared(1.0 - std::min(d2, 1.0));
@@ -133,14 +130,12 @@ double blob(const double* a) {
   return -(ball(-half, q.p[1], q.p[2]) + ball(half, q.p[3], q.p[4]));
 }
 
-double blob2(const double* a) {
-  const FormulaPoint q(a);
+double blob2(const FormulaPoint& q) {
   const double far2 = squared(q.x - q.p[0]) + q.y2 + q.z2;
   return q.p[3] - q.p[2] * (std::exp(-q.square() * q.p[1]) + std::exp(-far2 * q.p[1]));
 }
 
-double comma(const double* a) {
-  const FormulaPoint q(a);
+double comma(const FormulaPoint& q) {
   const double size = q.p[0], x = q.x == 0.0 && q.z == 0.0 ? 1e-4 : q.x;
   const double from_tail = std::hypot(x + size * 0.25, q.z);
   const double width = std::cos(std::atan2(q.z, x) * 0.5) * size * 0.5;
@@ -157,39 +152,33 @@ std::array<double, 3> ellipsoid_densities(const FormulaPoint& q) {
   return {density(q.x2, q.y2 + q.z2), density(q.y2, q.x2 + q.z2), density(q.z2, q.x2 + q.y2)};
 }
 
-double cross_ellipsoids(const double* a) {
-  const FormulaPoint q(a);
+double cross_ellipsoids(const FormulaPoint& q) {
   const auto e = ellipsoid_densities(q);
   return q.p[3] - q.p[2] * std::max({e[0], e[1], e[2]});
 }
 
-double isect_ellipsoids(const double* a) {
-  const FormulaPoint q(a);
+double isect_ellipsoids(const FormulaPoint& q) {
   const auto e = ellipsoid_densities(q);
   return q.p[3] - q.p[2] * std::min({e[0], e[1], e[2]});
 }
 
-double flange_cover(const double* a) {
-  const FormulaPoint q(a);
+double flange_cover(const FormulaPoint& q) {
   const auto e = ellipsoid_densities(q);
   return q.p[3] - q.p[2] * (e[0] + e[1] + e[2]);
 }
 
-double spikes(const double* a) {
-  const FormulaPoint q(a);
+double spikes(const FormulaPoint& q) {
   const auto e = ellipsoid_densities(q);
   return q.p[2] * (e[0] + e[1] + e[2] - std::exp(-q.square() * q.p[3]) * q.p[4]);
 }
 
-double spikes_2d(const double* a) {
-  const FormulaPoint q(a);
+double spikes_2d(const FormulaPoint& q) {
   return q.y -
          q.p[0] * std::cos(q.p[1] * q.x) * std::cos(q.p[2] * q.z) * std::exp(-q.p[3] * q.ring2());
 }
 
 // Woven threads: P0 and P1 their distances along x and z, P2 width, P3 wave height, P4 thickness.
-double mesh1(const double* a) {
-  const FormulaPoint q(a);
+double mesh1(const FormulaPoint& q) {
   const auto thread = [&](double across, double distance, double height) {
     double d = std::fmod(across, 2.0 * distance);
     if (d < 0.0) d += 2.0 * distance;
@@ -205,13 +194,9 @@ double polynomial4(const double* c, double y) {
   return c[0] + y * (c[1] + y * (c[2] + y * (c[3] + y * c[4])));
 }
 
-double poly4(const double* a) {
-  const FormulaPoint q(a);
-  return q.ring() - std::max(polynomial4(q.p, q.y), -5.0);
-}
+double poly4(const FormulaPoint& q) { return q.ring() - std::max(polynomial4(q.p, q.y), -5.0); }
 
-double polytubes(const double* a) {
-  const FormulaPoint q(a);
+double polytubes(const FormulaPoint& q) {
   const double out = polynomial4(q.p + 1, q.y);
   constexpr double kMostTubes = 1e6;  // and a number that is none makes none
   const int tubes = q.p[0] > 0.0 ? static_cast<int>(std::min(q.p[0], kMostTubes)) : 0;
@@ -225,8 +210,7 @@ double polytubes(const double* a) {
 }
 
 // An orbital of the hydrogen atom.
-double quantum(const double* a) {
-  const FormulaPoint q(a);
+double quantum(const FormulaPoint& q) {
   const double ring = q.x == 0.0 && q.z == 0.0 ? 1e-6 : q.ring();
   const double c = std::cos(std::atan2(ring, q.y)), r = 2.0 * std::hypot(ring, q.y);
   const double wave = r * r * std::exp(-r * 0.33333333) * (3.0 * c * c - 1.0);
@@ -245,20 +229,20 @@ constexpr InternalFormula kFormulas[] = {{"f_ellipsoid", ellipsoid},
                                          {"f_superellipsoid", superellipsoid},
                                          {"f_th", longitude},
                                          {"f_torus", torus},
-                                         {"f_helix2", helix2},
-                                         {"f_helical_torus", helical_torus},
-                                         {"f_blob", blob},
-                                         {"f_blob2", blob2},
-                                         {"f_comma", comma},
-                                         {"f_cross_ellipsoids", cross_ellipsoids},
-                                         {"f_isect_ellipsoids", isect_ellipsoids},
-                                         {"f_flange_cover", flange_cover},
-                                         {"f_spikes", spikes},
-                                         {"f_spikes_2d", spikes_2d},
-                                         {"f_mesh1", mesh1},
-                                         {"f_poly4", poly4},
-                                         {"f_polytubes", polytubes},
-                                         {"f_quantum", quantum}};
+                                         {"f_helix2", at_point<helix2>},
+                                         {"f_helical_torus", at_point<helical_torus>},
+                                         {"f_blob", at_point<blob>},
+                                         {"f_blob2", at_point<blob2>},
+                                         {"f_comma", at_point<comma>},
+                                         {"f_cross_ellipsoids", at_point<cross_ellipsoids>},
+                                         {"f_isect_ellipsoids", at_point<isect_ellipsoids>},
+                                         {"f_flange_cover", at_point<flange_cover>},
+                                         {"f_spikes", at_point<spikes>},
+                                         {"f_spikes_2d", at_point<spikes_2d>},
+                                         {"f_mesh1", at_point<mesh1>},
+                                         {"f_poly4", at_point<poly4>},
+                                         {"f_polytubes", at_point<polytubes>},
+                                         {"f_quantum", at_point<quantum>}};
 
 }  // namespace
 

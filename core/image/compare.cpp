@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <numeric>
 #include <stdexcept>
@@ -12,6 +13,8 @@ namespace lentray::core {
 
 namespace {
 
+/// By grade.
+constexpr std::string_view kGradeNames[] = {"fails", "close", "noise", "match", "exact"};
 constexpr std::uint32_t kBox = 8, kNoiseBlock = 16;
 // Differences of quantised values are whole on their own scale; this only absorbs rounding.
 constexpr double kSlack = 1e-6;
@@ -94,22 +97,12 @@ Grade grade_of(const Comparison& c, std::uint64_t allowance) {
 
 }  // namespace
 
-std::string_view name_of(Grade grade) {
-  switch (grade) {
-    case Grade::exact: return "exact";
-    case Grade::match: return "match";
-    case Grade::noise: return "noise";
-    case Grade::close: return "close";
-    case Grade::fails: break;
-  }
-  return "fails";
-}
+std::string_view name_of(Grade grade) { return kGradeNames[static_cast<std::size_t>(grade)]; }
 
 std::optional<Grade> grade_named(std::string_view name) {
-  for (const Grade g : {Grade::fails, Grade::close, Grade::noise, Grade::match, Grade::exact}) {
-    if (name == name_of(g)) return g;
-  }
-  return std::nullopt;
+  const auto* const row = std::ranges::find(kGradeNames, name);
+  if (row == std::end(kGradeNames)) return std::nullopt;
+  return static_cast<Grade>(row - std::begin(kGradeNames));
 }
 
 Columns Columns::all(std::uint32_t width) { return range(0, width); }

@@ -1,5 +1,8 @@
 #include <array>
 #include <cmath>
+#include <memory>
+#include <utility>
+#include <vector>
 
 #include "core/base/tiny.h"
 #include "core/base/whole.h"
@@ -10,84 +13,37 @@
 namespace lentray::core {
 namespace {
 
-class Bumps final : public Displacement {
- public:
-  explicit Bumps(double amount) : m_amount(amount) {}
-  Vec3 displaced(const Vec3& p, const Vec3& n) const override {
-    return n + vector_noise(p) * m_amount;
-  }
+/// The displacement of which a normal n at p becomes formula(p, n).
+template <class Formula>
+DisplacementPtr displacement_of(Formula formula) {
+  class Made final : public Displacement {
+   public:
+    explicit Made(Formula f) : m_formula(std::move(f)) {}
+    Vec3 displaced(const Vec3& p, const Vec3& n) const override { return m_formula(p, n); }
 
- private:
-  double m_amount;
-};
+   private:
+    Formula m_formula;
+  };
+  return std::make_unique<Made>(std::move(formula));
+}
 
-class Dents final : public Displacement {
- public:
-  Dents(double amount, int generator) : m_amount(amount), m_generator(generator) {}
-  Vec3 displaced(const Vec3& p, const Vec3& n) const override {
-    const double depth = noise(p, m_generator);
-    return n + vector_noise(p) * (depth * depth * depth * m_amount);
-  }
-
- private:
-  double m_amount;
-  int m_generator;
-};
-
-class Wrinkles final : public Displacement {
- public:
-  explicit Wrinkles(double amount) : m_amount(amount) {}
-  Vec3 displaced(const Vec3& p, const Vec3& n) const override {
-    Vec3 sum;
-    double scale = 1.0;
-    for (int octave = 0; octave < 10; ++octave, scale *= 2.0) {
-      const Vec3 one = vector_noise(p * scale);
-      sum += Vec3(std::fabs(one.x / scale), std::fabs(one.y / scale), std::fabs(one.z / scale));
-    }
-    return n + sum * m_amount;
-  }
-
- private:
-  double m_amount;
-};
-
-/// Ripples and waves: rings about the sources, all of one frequency or each of its own.
-class Rings final : public Displacement {
- public:
-  Rings(double amount, int sources, double frequency, double phase, bool own_frequencies)
-      : m_sources(wave_sources(sources)), m_amount(amount), m_frequency(frequency), m_phase(phase) {
-    if (own_frequencies) return;
-    for (WaveSource& source : m_sources) source.frequency = 1.0;
-  }
-  Vec3 displaced(const Vec3& p, const Vec3& n) const override {
+/// Ripples and waves: rings about the sources.
+DisplacementPtr make_rings(double amount, std::vector<WaveSource> sources, double frequency,
+                           double phase) {
+  return displacement_of([amount, frequency, phase, sources = std::move(sources)](const Vec3& p,
+                                                                                  const Vec3& n) {
     Vec3 result = n;
-    const auto count = static_cast<double>(m_sources.size());
-    for (const WaveSource& source : m_sources) {
+    const auto count = static_cast<double>(sources.size());
+    for (const WaveSource& source : sources) {
       const Vec3 away = p - source.position;
       const double distance = length(away) == 0.0 ? 1.0 : length(away);
-      const double height = cycloidal(distance * m_frequency * source.frequency + m_phase) *
-                            m_amount / source.frequency;
+      const double height =
+          cycloidal(distance * frequency * source.frequency + phase) * amount / source.frequency;
       result += away * (height / (distance * count));
     }
     return result;
-  }
-
- private:
-  std::vector<WaveSource> m_sources;
-  double m_amount, m_frequency, m_phase;
-};
-
-class Quilted final : public Displacement {
- public:
-  Quilted(double amount, double control0, double control1)
-      : m_amount(amount), m_control0(control0), m_control1(control1) {}
-  Vec3 displaced(const Vec3& p, const Vec3& n) const override {
-    return n + quilt_offset(p, m_control0, m_control1) * m_amount;
-  }
-
- private:
-  double m_amount, m_control0, m_control1;
-};
+  });
+}
 
 /// The nearest of the random points around, of the point itself or of the normal.
 class Facets final : public Displacement {
@@ -137,23 +93,41 @@ class Facets final : public Displacement {
 
 }  // namespace
 
-DisplacementPtr make_bumps_displacement(double amount) { return std::make_unique<Bumps>(amount); }
+DisplacementPtr make_bumps_displacement(double amount) {
+  return displacement_of(
+      [amount](const Vec3& p, const Vec3& n) { return n + vector_noise(p) * amount; });
+}
 DisplacementPtr make_dents_displacement(double amount, int generator) {
-  return std::make_unique<Dents>(amount, generator);
+  return displacement_of([amount, generator](const Vec3& p, const Vec3& n) {
+    const double depth = noise(p, generator);
+    return n + vector_noise(p) * (depth * depth * depth * amount);
+  });
 }
 DisplacementPtr make_wrinkles_displacement(double amount) {
-  return std::make_unique<Wrinkles>(amount);
+  return displacement_of([amount](const Vec3& p, const Vec3& n) {
+    Vec3 sum;
+    double scale = 1.0;
+    for (int octave = 0; octave < 10; ++octave, scale *= 2.0) {
+      const Vec3 one = vector_noise(p * scale);
+      sum += Vec3(std::fabs(one.x / scale), std::fabs(one.y / scale), std::fabs(one.z / scale));
+    }
+    return n + sum * amount;
+  });
 }
 DisplacementPtr make_ripples_displacement(double amount, int sources, double frequency,
                                           double phase) {
-  return std::make_unique<Rings>(amount, sources, frequency, phase, false);
+  std::vector<WaveSource> all = wave_sources(sources);
+  for (WaveSource& source : all) source.frequency = 1.0;
+  return make_rings(amount, std::move(all), frequency, phase);
 }
 DisplacementPtr make_waves_displacement(double amount, int sources, double frequency,
                                         double phase) {
-  return std::make_unique<Rings>(amount, sources, frequency, phase, true);
+  return make_rings(amount, wave_sources(sources), frequency, phase);
 }
 DisplacementPtr make_quilted_displacement(double amount, double control0, double control1) {
-  return std::make_unique<Quilted>(amount, control0, control1);
+  return displacement_of([amount, control0, control1](const Vec3& p, const Vec3& n) {
+    return n + quilt_offset(p, control0, control1) * amount;
+  });
 }
 DisplacementPtr make_facets_displacement(double size, double coords, double metric) {
   return std::make_unique<Facets>(size, coords, metric);

@@ -82,24 +82,6 @@ class PicturePigment final : public Pigment {
   bool m_opaque;
 };
 
-class PicturePattern final : public Pattern {
- public:
-  PicturePattern(MappedPicturePtr picture, bool alpha)
-      : m_picture(std::move(picture)), m_alpha(alpha) {}
-  double value(const Vec3& point) const override {
-    const auto place = m_picture->place(point);
-    if (!place) return 0.0;
-    const Colour c = m_picture->colour(*place);
-    double value = grey(c.rgb);
-    if (m_alpha) value = m_picture->picture().has_alpha() ? c.transmit : c.rgb.r;
-    return std::clamp(value, 0.0, 1.0);
-  }
-
- private:
-  MappedPicturePtr m_picture;
-  bool m_alpha;
-};
-
 /// The picture's grey as heights one pixel apart.
 class PictureDisplacement final : public Displacement {
  public:
@@ -361,7 +343,14 @@ std::shared_ptr<const Pigment> make_picture_pigment(Placement placement, MappedP
   return std::make_shared<PicturePigment>(std::move(placement), std::move(picture));
 }
 PatternPtr make_picture_pattern(MappedPicturePtr picture, bool alpha) {
-  return std::make_unique<PicturePattern>(std::move(picture), alpha);
+  return pattern_of([picture = std::move(picture), alpha](const Vec3& point) {
+    const auto place = picture->place(point);
+    if (!place) return 0.0;
+    const Colour c = picture->colour(*place);
+    double value = grey(c.rgb);
+    if (alpha) value = picture->picture().has_alpha() ? c.transmit : c.rgb.r;
+    return std::clamp(value, 0.0, 1.0);
+  });
 }
 DisplacementPtr make_picture_displacement(MappedPicturePtr picture, double amount, bool by_index) {
   return std::make_unique<PictureDisplacement>(std::move(picture), amount, by_index);

@@ -13,173 +13,22 @@ namespace {
 
 constexpr double kPi = std::numbers::pi;
 
-class Bozo final : public Pattern {
- public:
-  explicit Bozo(int generator) : m_generator(generator) {}
-  double value(const Vec3& p) const override { return noise(p, m_generator); }
-
- private:
-  int m_generator;
-};
-
-class Dents final : public Pattern {
- public:
-  explicit Dents(int generator) : m_generator(generator) {}
-  double value(const Vec3& p) const override {
-    const double n = noise(p, m_generator);
-    return n * n * n;
-  }
-
- private:
-  int m_generator;
-};
-
-class Granite final : public Pattern {
- public:
-  explicit Granite(int generator) : m_generator(generator) {}
-  double value(const Vec3& p) const override {
-    const Vec3 fine = p * 4.0;
-    double sum = 0.0, frequency = 1.0;
-    for (int octave = 0; octave < 6; ++octave, frequency *= 2.0) {
-      const double n = noise(fine * frequency, m_generator);
-      const double ridge =
-          m_generator == 1 ? std::fabs(0.5 - n) : std::min(std::fabs(1.0 - 2.0 * n), 0.5);
-      sum += ridge / frequency;
-    }
-    return sum;
-  }
-
- private:
-  int m_generator;
-};
-
-class Wrinkles final : public Pattern {
- public:
-  explicit Wrinkles(int generator) : m_generator(generator) {}
-  double value(const Vec3& p) const override {
-    double sum = 0.0, scale = 1.0, weight = 1.0;
-    for (int octave = 0; octave < 10; ++octave, scale *= 2.0, weight *= 0.5) {
-      sum += weight * stretched(noise(p * scale, m_generator));
-    }
-    return sum / 2.0;
-  }
-
- private:
-  double stretched(double n) const {
-    return m_generator > 1 ? std::clamp(2.0 * n - 0.5, 0.0, 1.0) : n;
-  }
-  int m_generator;
-};
-
-class Marble final : public Pattern {
- public:
-  Marble(const std::optional<Turbulence>& turbulence, int generator)
-      : m_turbulence(turbulence), m_generator(generator) {}
-  double value(const Vec3& p) const override {
-    if (!m_turbulence || m_turbulence->amount.x == 0.0) return p.x;
-    return p.x + m_turbulence->amount.x * turbulence(p, *m_turbulence, m_generator);
-  }
-
- private:
-  std::optional<Turbulence> m_turbulence;
-  int m_generator;
-};
-
-class Wood final : public Pattern {
- public:
-  explicit Wood(const std::optional<Turbulence>& turbulence) : m_turbulence(turbulence) {}
-  double value(const Vec3& p) const override {
-    double x = p.x, y = p.y;
-    if (m_turbulence) {
-      const Vec3 shift = vector_turbulence(p, *m_turbulence);
-      x += cycloidal((p.x + shift.x) * m_turbulence->amount.x);
-      y += cycloidal((p.y + shift.y) * m_turbulence->amount.y);
-    }
-    return std::sqrt(x * x + y * y);
-  }
-
- private:
-  std::optional<Turbulence> m_turbulence;
-};
-
-class Agate final : public Pattern {
- public:
-  Agate(const Turbulence& turbulence, double scale, int generator)
-      : m_turbulence(turbulence), m_scale(scale), m_generator(generator) {}
-  double value(const Vec3& p) const override {
-    const double bands = m_scale * turbulence(p, m_turbulence, m_generator);
-    const double wave = 0.5 * (cycloidal(1.3 * bands + 1.1 * p.z) + 1.0);
-    return wave < 0.0 ? 0.0 : std::pow(std::min(wave, 1.0), 0.77);
-  }
-
- private:
-  Turbulence m_turbulence;
-  double m_scale;
-  int m_generator;
-};
-
-class Spiral final : public Pattern {
- public:
-  Spiral(int arms, const std::optional<Turbulence>& turbulence, int generator, bool second)
-      : m_turbulence(turbulence), m_arms(arms), m_generator(generator), m_second(second) {}
-  double value(const Vec3& p) const override {
+PatternPtr make_spiral(double arms, const std::optional<Turbulence>& turbulence, int generator,
+                       bool second) {
+  return pattern_of([arms, turbulence, generator, second](const Vec3& p) {
     double shift = 0.0;
-    if (m_turbulence && m_turbulence->amount.x != 0.0) {
-      shift = m_turbulence->amount.x * turbulence(p, *m_turbulence, m_generator);
-    }
+    if (turbulence && turbulence->amount.x != 0.0)
+      shift = turbulence->amount.x * core::turbulence(p, *turbulence, generator);
     const double radius = std::sqrt(p.x * p.x + p.y * p.y);
     double angle = 0.0;
     if (radius != 0.0) {
       const double lift = std::asin(p.y / radius);
       angle = p.x < 0.0 ? 1.5 * kPi - lift : 0.5 * kPi + lift;
     }
-    const double turns = p.z + radius + m_arms * angle / (2.0 * kPi) + shift;
-    return m_second ? triangle_wave(radius) + triangle_wave(turns) : turns;
-  }
-
- private:
-  std::optional<Turbulence> m_turbulence;
-  double m_arms;
-  int m_generator;
-  bool m_second;
-};
-
-class Ripples final : public Pattern {
- public:
-  Ripples(int sources, double frequency, double phase)
-      : m_sources(wave_sources(sources)), m_frequency(frequency), m_phase(phase) {}
-  double value(const Vec3& p) const override {
-    double sum = 0.0;
-    for (const WaveSource& source : m_sources) {
-      const double distance = length(p - source.position);
-      sum += cycloidal((distance == 0.0 ? 1.0 : distance) * m_frequency + m_phase);
-    }
-    return 0.5 * (1.0 + sum / static_cast<double>(m_sources.size()));
-  }
-
- private:
-  std::vector<WaveSource> m_sources;
-  double m_frequency, m_phase;
-};
-
-class Waves final : public Pattern {
- public:
-  Waves(int sources, double frequency, double phase)
-      : m_sources(wave_sources(sources)), m_frequency(frequency), m_phase(phase) {}
-  double value(const Vec3& p) const override {
-    double sum = 0.0;
-    for (const WaveSource& source : m_sources) {
-      const double distance = length(p - source.position);
-      const double way = (distance == 0.0 ? 1.0 : distance) * m_frequency * source.frequency;
-      sum += cycloidal(way + m_phase) / source.frequency;
-    }
-    return 0.2 * (2.5 + sum / static_cast<double>(m_sources.size()));
-  }
-
- private:
-  std::vector<WaveSource> m_sources;
-  double m_frequency, m_phase;
-};
+    const double turns = p.z + radius + arms * angle / (2.0 * kPi) + shift;
+    return second ? triangle_wave(radius) + triangle_wave(turns) : turns;
+  });
+}
 
 /// The cells around one whose random points can be among the three nearest: up to two away along
 /// one axis, up to one along the others. Near ones first.
@@ -344,30 +193,88 @@ class CracklePattern final : public Pattern {
 
 }  // namespace
 
-PatternPtr make_bozo(int generator) { return std::make_unique<Bozo>(generator); }
-PatternPtr make_dents(int generator) { return std::make_unique<Dents>(generator); }
-PatternPtr make_granite(int generator) { return std::make_unique<Granite>(generator); }
-PatternPtr make_wrinkles(int generator) { return std::make_unique<Wrinkles>(generator); }
+PatternPtr make_bozo(int generator) {
+  return pattern_of([generator](const Vec3& p) { return noise(p, generator); });
+}
+PatternPtr make_dents(int generator) {
+  return pattern_of([generator](const Vec3& p) {
+    const double n = noise(p, generator);
+    return n * n * n;
+  });
+}
+PatternPtr make_granite(int generator) {
+  return pattern_of([generator](const Vec3& p) {
+    const Vec3 fine = p * 4.0;
+    double sum = 0.0, frequency = 1.0;
+    for (int octave = 0; octave < 6; ++octave, frequency *= 2.0) {
+      const double n = noise(fine * frequency, generator);
+      const double ridge =
+          generator == 1 ? std::fabs(0.5 - n) : std::min(std::fabs(1.0 - 2.0 * n), 0.5);
+      sum += ridge / frequency;
+    }
+    return sum;
+  });
+}
+PatternPtr make_wrinkles(int generator) {
+  return pattern_of([generator](const Vec3& p) {
+    double sum = 0.0, scale = 1.0, weight = 1.0;
+    for (int octave = 0; octave < 10; ++octave, scale *= 2.0, weight *= 0.5) {
+      const double n = noise(p * scale, generator);
+      sum += weight * (generator > 1 ? std::clamp(2.0 * n - 0.5, 0.0, 1.0) : n);
+    }
+    return sum / 2.0;
+  });
+}
 PatternPtr make_marble(const std::optional<Turbulence>& turbulence, int generator) {
-  return std::make_unique<Marble>(turbulence, generator);
+  return pattern_of([turbulence, generator](const Vec3& p) {
+    if (!turbulence || turbulence->amount.x == 0.0) return p.x;
+    return p.x + turbulence->amount.x * core::turbulence(p, *turbulence, generator);
+  });
 }
 PatternPtr make_wood(const std::optional<Turbulence>& turbulence) {
-  return std::make_unique<Wood>(turbulence);
+  return pattern_of([turbulence](const Vec3& p) {
+    double x = p.x, y = p.y;
+    if (turbulence) {
+      const Vec3 shift = vector_turbulence(p, *turbulence);
+      x += cycloidal((p.x + shift.x) * turbulence->amount.x);
+      y += cycloidal((p.y + shift.y) * turbulence->amount.y);
+    }
+    return std::sqrt(x * x + y * y);
+  });
 }
 PatternPtr make_agate(const Turbulence& turbulence, double scale, int generator) {
-  return std::make_unique<Agate>(turbulence, scale, generator);
+  return pattern_of([turbulence, scale, generator](const Vec3& p) {
+    const double bands = scale * core::turbulence(p, turbulence, generator);
+    const double wave = 0.5 * (cycloidal(1.3 * bands + 1.1 * p.z) + 1.0);
+    return wave < 0.0 ? 0.0 : std::pow(std::min(wave, 1.0), 0.77);
+  });
 }
 PatternPtr make_spiral1(int arms, const std::optional<Turbulence>& turbulence, int generator) {
-  return std::make_unique<Spiral>(arms, turbulence, generator, false);
+  return make_spiral(arms, turbulence, generator, false);
 }
 PatternPtr make_spiral2(int arms, const std::optional<Turbulence>& turbulence, int generator) {
-  return std::make_unique<Spiral>(arms, turbulence, generator, true);
+  return make_spiral(arms, turbulence, generator, true);
 }
 PatternPtr make_ripples(int sources, double frequency, double phase) {
-  return std::make_unique<Ripples>(sources, frequency, phase);
+  return pattern_of([all = wave_sources(sources), frequency, phase](const Vec3& p) {
+    double sum = 0.0;
+    for (const WaveSource& source : all) {
+      const double distance = length(p - source.position);
+      sum += cycloidal((distance == 0.0 ? 1.0 : distance) * frequency + phase);
+    }
+    return 0.5 * (1.0 + sum / static_cast<double>(all.size()));
+  });
 }
 PatternPtr make_waves(int sources, double frequency, double phase) {
-  return std::make_unique<Waves>(sources, frequency, phase);
+  return pattern_of([all = wave_sources(sources), frequency, phase](const Vec3& p) {
+    double sum = 0.0;
+    for (const WaveSource& source : all) {
+      const double distance = length(p - source.position);
+      const double way = (distance == 0.0 ? 1.0 : distance) * frequency * source.frequency;
+      sum += cycloidal(way + phase) / source.frequency;
+    }
+    return 0.2 * (2.5 + sum / static_cast<double>(all.size()));
+  });
 }
 PatternPtr make_crackle(const Crackle& crackle, int generator) {
   return std::make_unique<CracklePattern>(crackle, generator);

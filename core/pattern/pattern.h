@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstdint>
 #include <memory>
+#include <utility>
 
 #include "core/base/simd.h"
 #include "core/base/vec3.h"
@@ -34,6 +35,20 @@ inline std::int64_t whole_below(double v) {
 }
 
 using PatternPtr = std::unique_ptr<const Pattern>;
+
+/// The pattern whose value at a point is formula(point).
+template <class Formula>
+PatternPtr pattern_of(Formula formula) {
+  class Made final : public Pattern {
+   public:
+    explicit Made(Formula f) : m_formula(std::move(f)) {}
+    double value(const Vec3& point) const override { return m_formula(point); }
+
+   private:
+    Formula m_formula;
+  };
+  return std::make_unique<Made>(std::move(formula));
+}
 
 /// frequency, phase and the wave forms.
 class Wave {

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdint>
 #include <numbers>
+#include <utility>
 
 #include "core/base/tiny.h"
 #include "core/base/whole.h"
@@ -26,72 +27,39 @@ class TransformWarp final : public Warp {
   Transform m_transform;
 };
 
-class TurbulenceWarp final : public Warp {
- public:
-  explicit TurbulenceWarp(const Turbulence& turbulence) : m_turbulence(turbulence) {}
-  Vec3 inwards(const Vec3& point, const SurfaceContext&) const override {
-    return point + scaled(vector_turbulence(point, m_turbulence), m_turbulence.amount);
-  }
-
- private:
-  Turbulence m_turbulence;
-};
-
-class RepeatWarp final : public Warp {
- public:
-  RepeatWarp(int axis, double width, const Vec3& flip, const Vec3& offset)
-      : m_axis(axis), m_width(width), m_flip(flip), m_offset(offset) {}
-  Vec3 inwards(const Vec3& point, const SurfaceContext&) const override {
-    Vec3 p = point;
-    // Counted in single precision: it shows far from the origin.
-    const auto block = static_cast<float>(std::floor(p[m_axis] / m_width));
-    p[m_axis] -= block * m_width;
-    if (static_cast<std::int64_t>(block) & 1) {
-      p = scaled(p, m_flip);
-      if (m_flip[m_axis] < 0.0) p[m_axis] += m_width;
+/// The warp that leads a point to formula(point, surface).
+template <class Formula>
+WarpPtr warp_of(Formula formula) {
+  class Made final : public Warp {
+   public:
+    explicit Made(Formula f) : m_formula(std::move(f)) {}
+    Vec3 inwards(const Vec3& point, const SurfaceContext& surface) const override {
+      return m_formula(point, surface);
     }
-    return p + m_offset * static_cast<double>(block);
+
+   private:
+    Formula m_formula;
+  };
+  return std::make_shared<Made>(std::move(formula));
+}
+
+Vec3 centre_near(const BlackHole& hole, const Vec3& point) {
+  Vec3 centre = hole.centre;
+  if (!hole.repeats) return centre;
+  int block[3] = {0, 0, 0};
+  for (int axis = 0; axis < 3; ++axis) {
+    if (hole.repeat[axis] < kTiny) continue;
+    block[axis] = whole_of(std::floor(point[axis] / hole.repeat[axis]));
   }
-
- private:
-  int m_axis;
-  double m_width;
-  Vec3 m_flip, m_offset;
-};
-
-class BlackHoleWarp final : public Warp {
- public:
-  explicit BlackHoleWarp(const BlackHole& hole) : m_hole(hole) {}
-  Vec3 inwards(const Vec3& point, const SurfaceContext&) const override {
-    const Vec3 offset = point - centre_near(point);
-    const double distance = length(offset);
-    if (distance >= m_hole.radius) return point;
-    const double depth = (m_hole.radius - distance) / m_hole.radius;
-    const double pull = std::min(std::pow(depth, m_hole.power) * m_hole.strength, 1.0);
-    return point + offset * (m_hole.inverse ? -pull : pull);
-  }
-
- private:
-  Vec3 centre_near(const Vec3& point) const {
-    Vec3 centre = m_hole.centre;
-    if (!m_hole.repeats) return centre;
-    int block[3] = {0, 0, 0};
+  if (hole.uncertain) {
+    const unsigned seed = lattice_hash(block[0], block[1], block[2]);
     for (int axis = 0; axis < 3; ++axis) {
-      if (m_hole.repeat[axis] < kTiny) continue;
-      block[axis] = whole_of(std::floor(point[axis] / m_hole.repeat[axis]));
+      centre[axis] += lattice_random(seed + static_cast<unsigned>(axis)) * hole.uncertainty[axis];
     }
-    if (m_hole.uncertain) {
-      const unsigned seed = lattice_hash(block[0], block[1], block[2]);
-      for (int axis = 0; axis < 3; ++axis) {
-        centre[axis] +=
-            lattice_random(seed + static_cast<unsigned>(axis)) * m_hole.uncertainty[axis];
-      }
-    }
-    for (int axis = 0; axis < 3; ++axis) centre[axis] += m_hole.repeat[axis] * block[axis];
-    return centre;
   }
-  BlackHole m_hole;
-};
+  for (int axis = 0; axis < 3; ++axis) centre[axis] += hole.repeat[axis] * block[axis];
+  return centre;
+}
 
 /// Mapping warps unroll a shape onto the plane z = distance; an orientation puts that plane across
 /// another axis.
@@ -113,79 +81,81 @@ double distance_factor(double distance, double exponent) {
   return exponent == 1.0 ? distance : std::pow(distance, exponent);
 }
 
-class MappingWarp : public Warp {
- public:
-  MappingWarp(const Vec3& orientation, double exponent)
-      : m_orientation(orientation), m_exponent(exponent) {}
+}  // namespace
 
- protected:
-  Vec3 m_orientation;
-  double m_exponent;
-};
-
-class CylindricalWarp final : public MappingWarp {
- public:
-  using MappingWarp::MappingWarp;
-  Vec3 inwards(const Vec3& p, const SurfaceContext&) const override {
+WarpPtr make_transform_warp(const Transform& transform) {
+  return std::make_shared<TransformWarp>(transform);
+}
+WarpPtr make_turbulence_warp(const Turbulence& turbulence) {
+  return warp_of([turbulence](const Vec3& point, const SurfaceContext&) {
+    return point + scaled(vector_turbulence(point, turbulence), turbulence.amount);
+  });
+}
+WarpPtr make_repeat_warp(int axis, double width, const Vec3& flip, const Vec3& offset) {
+  return warp_of([axis, width, flip, offset](Vec3 p, const SurfaceContext&) {
+    // Counted in single precision: it shows far from the origin.
+    const auto block = static_cast<float>(std::floor(p[axis] / width));
+    p[axis] -= block * width;
+    if (static_cast<std::int64_t>(block) & 1) {
+      p = scaled(p, flip);
+      if (flip[axis] < 0.0) p[axis] += width;
+    }
+    return p + offset * static_cast<double>(block);
+  });
+}
+WarpPtr make_black_hole_warp(const BlackHole& hole) {
+  return warp_of([hole](const Vec3& point, const SurfaceContext&) {
+    const Vec3 offset = point - centre_near(hole, point);
+    const double distance = length(offset);
+    if (distance >= hole.radius) return point;
+    const double depth = (hole.radius - distance) / hole.radius;
+    const double pull = std::min(std::pow(depth, hole.power) * hole.strength, 1.0);
+    return point + offset * (hole.inverse ? -pull : pull);
+  });
+}
+WarpPtr make_cylindrical_warp(const Vec3& orientation, double distance_exponent) {
+  return warp_of([orientation, distance_exponent](const Vec3& p, const SurfaceContext&) {
     const double across = std::sqrt(p.x * p.x + p.z * p.z);
     if (across == 0.0) return p;
-    const double turn = turn_about_y(p.x, p.z, across) * distance_factor(across, m_exponent);
-    return oriented({turn, p.y, across}, m_orientation);
-  }
-};
-
-class SphericalWarp final : public MappingWarp {
- public:
-  using MappingWarp::MappingWarp;
-  Vec3 inwards(const Vec3& p, const SurfaceContext&) const override {
+    const double turn = turn_about_y(p.x, p.z, across) * distance_factor(across, distance_exponent);
+    return oriented({turn, p.y, across}, orientation);
+  });
+}
+WarpPtr make_spherical_warp(const Vec3& orientation, double distance_exponent) {
+  return warp_of([orientation, distance_exponent](const Vec3& p, const SurfaceContext&) {
     const double distance = length(p);
     if (distance == 0.0) return p;
     const Vec3 unit = p / distance;
     const double across = std::sqrt(unit.x * unit.x + unit.z * unit.z);
     const double turn = across == 0.0 ? 0.0 : turn_about_y(unit.x, unit.z, across);
     const double height = 0.5 + std::asin(std::clamp(unit.y, -1.0, 1.0)) / std::numbers::pi;
-    const double factor = distance_factor(distance, m_exponent);
-    return oriented({turn * factor, height * factor, distance}, m_orientation);
-  }
-};
-
-class ToroidalWarp final : public MappingWarp {
- public:
-  ToroidalWarp(const Vec3& orientation, double exponent, double major_radius)
-      : MappingWarp(orientation, exponent), m_major(major_radius) {}
-  Vec3 inwards(const Vec3& p, const SurfaceContext&) const override {
-    const double across = std::sqrt(p.x * p.x + p.z * p.z);
-    if (across == 0.0) return p;
-    const double turn = turn_about_y(p.x, p.z, across);
-    const double x = across - m_major;
-    const double distance = std::sqrt(x * x + p.y * p.y);
-    double around = std::acos(-x / distance);
-    if (p.y > 0.0) around = kTwoPi - around;
-    const double factor = distance_factor(distance, m_exponent);
-    return oriented({turn * factor, around / kTwoPi * factor, distance}, m_orientation);
-  }
-
- private:
-  double m_major;
-};
-
-class PlanarWarp final : public Warp {
- public:
-  PlanarWarp(const Vec3& orientation, double offset)
-      : m_orientation(orientation), m_offset(offset) {}
-  Vec3 inwards(const Vec3& p, const SurfaceContext&) const override {
-    return oriented({p.x, p.y, m_offset}, m_orientation);
-  }
-
- private:
-  Vec3 m_orientation;
-  double m_offset;
-};
+    const double factor = distance_factor(distance, distance_exponent);
+    return oriented({turn * factor, height * factor, distance}, orientation);
+  });
+}
+WarpPtr make_toroidal_warp(const Vec3& orientation, double distance_exponent, double major_radius) {
+  return warp_of(
+      [orientation, distance_exponent, major_radius](const Vec3& p, const SurfaceContext&) {
+        const double across = std::sqrt(p.x * p.x + p.z * p.z);
+        if (across == 0.0) return p;
+        const double turn = turn_about_y(p.x, p.z, across);
+        const double x = across - major_radius;
+        const double distance = std::sqrt(x * x + p.y * p.y);
+        double around = std::acos(-x / distance);
+        if (p.y > 0.0) around = kTwoPi - around;
+        const double factor = distance_factor(distance, distance_exponent);
+        return oriented({turn * factor, around / kTwoPi * factor, distance}, orientation);
+      });
+}
+WarpPtr make_planar_warp(const Vec3& orientation, double offset) {
+  return warp_of([orientation, offset](const Vec3& p, const SurfaceContext&) {
+    return oriented({p.x, p.y, offset}, orientation);
+  });
+}
 
 /// The faces of a cube, unfolded as a cross in the unit square.
-class CubicWarp final : public Warp {
- public:
-  Vec3 inwards(const Vec3& p, const SurfaceContext&) const override {
+WarpPtr make_cubic_warp() {
+  return warp_of([](const Vec3& p, const SurfaceContext&) -> Vec3 {
     const double ax = std::fabs(p.x), ay = std::fabs(p.y), az = std::fabs(p.z);
     const auto place = [](double s) { return (s + 1.0) / 2.0; };
     constexpr double third = 1.0 / 3.0;
@@ -205,45 +175,15 @@ class CubicWarp final : public Warp {
       return {0.25 + 0.25 * place(p.x / ay), third * place(p.z / ay), ay};
     }
     return {1.0 - 0.25 * place(p.x / az), third + third * place(p.y / az), az};
-  }
-};
+  });
+}
 
-class UvWarp final : public Warp {
- public:
-  Vec3 inwards(const Vec3&, const SurfaceContext& surface) const override {
+WarpPtr make_uv_warp() {
+  return warp_of([](const Vec3&, const SurfaceContext& surface) -> Vec3 {
     const Vec2 uv = texture_coordinates(surface);
     return {uv.u, uv.v, 0.0};
-  }
-};
-
-}  // namespace
-
-WarpPtr make_transform_warp(const Transform& transform) {
-  return std::make_shared<TransformWarp>(transform);
+  });
 }
-WarpPtr make_turbulence_warp(const Turbulence& turbulence) {
-  return std::make_shared<TurbulenceWarp>(turbulence);
-}
-WarpPtr make_repeat_warp(int axis, double width, const Vec3& flip, const Vec3& offset) {
-  return std::make_shared<RepeatWarp>(axis, width, flip, offset);
-}
-WarpPtr make_black_hole_warp(const BlackHole& hole) {
-  return std::make_shared<BlackHoleWarp>(hole);
-}
-WarpPtr make_cylindrical_warp(const Vec3& orientation, double distance_exponent) {
-  return std::make_shared<CylindricalWarp>(orientation, distance_exponent);
-}
-WarpPtr make_spherical_warp(const Vec3& orientation, double distance_exponent) {
-  return std::make_shared<SphericalWarp>(orientation, distance_exponent);
-}
-WarpPtr make_toroidal_warp(const Vec3& orientation, double distance_exponent, double major_radius) {
-  return std::make_shared<ToroidalWarp>(orientation, distance_exponent, major_radius);
-}
-WarpPtr make_planar_warp(const Vec3& orientation, double offset) {
-  return std::make_shared<PlanarWarp>(orientation, offset);
-}
-WarpPtr make_cubic_warp() { return std::make_shared<CubicWarp>(); }
-WarpPtr make_uv_warp() { return std::make_shared<UvWarp>(); }
 
 Placement::Placement(std::vector<WarpPtr> steps) : m_steps(std::move(steps)) {
   if (m_steps.empty()) return;

@@ -8,6 +8,7 @@
 #include <stdexcept>
 #include <string_view>
 
+#include "core/image/stream_bytes.h"
 #include "core/image/writer.h"
 
 namespace lentray::merge {
@@ -24,9 +25,7 @@ constexpr std::uint32_t kMostChunk = 1u << 20;  ///< of what lentray writes befo
 }
 
 std::uint32_t big(std::string_view bytes) {
-  std::uint32_t value = 0;
-  for (std::size_t i = 0; i < 4; ++i) value = value << 8 | static_cast<unsigned char>(bytes[i]);
-  return value;
+  return static_cast<std::uint32_t>(core::big_endian(bytes.substr(0, 4)));
 }
 
 const PngHead::Chunk* find(const PngHead& head, std::string_view type) {

@@ -5,6 +5,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <array>
 #include <cerrno>
 #include <csignal>
 #include <cstdio>
@@ -65,15 +66,10 @@ Action action_of(char letter) {
 }  // namespace
 
 const char* name_of(CommandKind kind) {
-  switch (kind) {
-    case CommandKind::kPreScene: return "Pre_Scene_Command";
-    case CommandKind::kPreFrame: return "Pre_Frame_Command";
-    case CommandKind::kPostFrame: return "Post_Frame_Command";
-    case CommandKind::kPostScene: return "Post_Scene_Command";
-    case CommandKind::kUserAbort: return "User_Abort_Command";
-    case CommandKind::kFatalError: return "Fatal_Error_Command";
-  }
-  return "";
+  constexpr std::array<const char*, parser::kCommands> kNames{
+      "Pre_Scene_Command",  "Pre_Frame_Command",  "Post_Frame_Command",
+      "Post_Scene_Command", "User_Abort_Command", "Fatal_Error_Command"};
+  return kNames[static_cast<std::size_t>(kind)];
 }
 
 std::string expanded(const std::string& command, const CommandContext& c) {
