@@ -119,12 +119,11 @@ void parse_scattering(Parser& parser, ScatteringDesc& scattering) {
 }
 
 bool accept_media_word(Parser& parser, MaterialContext& context, MediaDesc& media) {
-  if (accept_sampling_word(parser, media)) return true;
-  if (parser.accept(Keyword::kAbsorption)) {
-    media.absorption = parse_rgb(parser);
-  } else if (parser.accept(Keyword::kEmission)) {
-    media.emission = parse_rgb(parser);
-  } else if (parser.accept(Keyword::kScattering)) {
+  if (accept_sampling_word(parser, media) ||
+      accept_rgb(parser, Keyword::kAbsorption, media.absorption) ||
+      accept_rgb(parser, Keyword::kEmission, media.emission))
+    return true;
+  if (parser.accept(Keyword::kScattering)) {
     parse_scattering(parser, media.scattering);
   } else if (parser.accept(Keyword::kCollect)) {
     media.ignore_photons = !(parse_optional_float(parser, 1.0) > 0.0);

@@ -111,6 +111,8 @@ const TextureLayerDesc& default_layer(const MaterialContext& context);
 Ref<ColourMapDesc> parse_colour_list(Parser& parser, PatternKind kind, int count);
 
 core::Rgb parse_rgb(Parser& parser);
+/// The word and the colour behind it.
+bool accept_rgb(Parser& parser, Keyword keyword, core::Rgb& colour);
 /// A float if one is next, else `otherwise`.
 double parse_optional_float(Parser& parser, double otherwise);
 

@@ -210,9 +210,7 @@ void fit_black_hole(Parser& parser, WarpParameters& warp) {
 }
 
 void parse_black_hole(Parser& parser, WarpParameters& warp) {
-  warp.centre = parser.parse_vector();
-  parser.parse_comma();
-  warp.radius = parser.parse_float();
+  parse_values(parser, warp.centre, warp.radius);
   for (;;) {
     if (parser.accept(Keyword::kStrength, warp.strength) ||
         parser.accept(Keyword::kFalloff, warp.power))
