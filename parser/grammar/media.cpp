@@ -37,14 +37,10 @@ class DensityTarget final : public PatternTarget {
   }
 
   bool accept_own_modifier(Parser& parser) override {
-    if (parser.at(Keyword::kColorMap)) {
-      check_map_allowed(parser, m_density.pattern, "color_map", false);
-      parser.next();
+    if (accept_map(parser, Keyword::kColorMap, m_density.pattern, false)) {
       m_density.colour_map = parse_colour_map(parser, m_context);
       m_density.density_map = nullptr;
-    } else if (parser.at(Keyword::kDensityMap)) {
-      check_map_allowed(parser, m_density.pattern, "density_map", true);
-      parser.next();
+    } else if (accept_map(parser, Keyword::kDensityMap, m_density.pattern, true)) {
       m_density.density_map =
           parse_density_map(parser, m_context, m_density.pattern.kind == PatternKind::kAverage);
       m_density.colour_map = nullptr;

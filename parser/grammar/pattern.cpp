@@ -301,15 +301,16 @@ bool is_unset(const PatternDesc& pattern) {
   return pattern.kind == PatternKind::kPlain && pattern.where.file == 0;
 }
 
-void check_map_allowed(Parser& parser, const PatternDesc& pattern, std::string_view map,
-                       bool average_allowed) {
+bool accept_map(Parser& parser, Keyword map, const PatternDesc& pattern, bool average_allowed) {
+  if (!parser.at(map)) return false;
   const PatternKind kind = pattern.kind;
   if (has_item_list(kind) || kind == PatternKind::kPlain || kind == PatternKind::kImageMap ||
       kind == PatternKind::kBumpMap || (kind == PatternKind::kAverage && !average_allowed)) {
     const std::string what =
         kind == PatternKind::kPlain ? "no pattern" : std::string(pattern_name(kind));
-    parser.fail("cannot use " + std::string(map) + " with " + what);
+    parser.fail("cannot use " + std::string(spelling(map)) + " with " + what);
   }
+  return parser.accept(map);
 }
 
 bool accept_pattern(Parser& parser, MaterialContext& context, PatternTarget& target) {
