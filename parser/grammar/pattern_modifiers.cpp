@@ -272,13 +272,10 @@ WarpDesc parse_warp(Parser& parser) {
   } else if (parser.accept(Keyword::kCubic)) {
     warp.kind = WarpDesc::Kind::kCubic;
   } else {
-    if (parser.accept(Keyword::kCylindrical)) {
-      warp.kind = WarpDesc::Kind::kCylindrical;
-    } else if (parser.accept(Keyword::kSpherical)) {
-      warp.kind = WarpDesc::Kind::kSpherical;
-    } else if (parser.accept(Keyword::kToroidal)) {
-      warp.kind = WarpDesc::Kind::kToroidal;
-    } else {
+    warp.kind = parser.accept(Keyword::kCylindrical) ? WarpDesc::Kind::kCylindrical
+                : parser.accept(Keyword::kSpherical) ? WarpDesc::Kind::kSpherical
+                                                     : WarpDesc::Kind::kToroidal;
+    if (warp.kind == WarpDesc::Kind::kToroidal && !parser.accept(Keyword::kToroidal)) {
       parser.fail_expected("a kind of warp");
     }
     while (accept_mapping_word(parser, warp.kind, own)) {
