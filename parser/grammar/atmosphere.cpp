@@ -8,11 +8,6 @@ namespace {
 
 using core::kTiny;
 
-/// Any word about turbulence sets it. Where it is 0, every place has the noise of the origin.
-void stir(FogDesc& fog) {
-  if (!fog.turbulence) fog.turbulence.emplace();
-}
-
 /// One item of a fog; false if none is next.
 bool accept_fog_item(Parser& parser, FogDesc& fog) {
   if (parser.accept(Keyword::kFogType, fog.type) ||
@@ -25,15 +20,11 @@ bool accept_fog_item(Parser& parser, FogDesc& fog) {
   if (const auto transform = parser.accept_transforms()) {
     fog.transform = fog.transform.then(*transform);
     fog.up = transform->vector(fog.up);
-  } else if (parser.accept(Keyword::kOctaves)) {
-    fog.octaves = parser.parse_int();
-    stir(fog);
-  } else if (parser.accept(Keyword::kLambda)) {
-    fog.lambda = parser.parse_float();
-    stir(fog);
-  } else if (parser.accept(Keyword::kOmega)) {
-    fog.omega = parser.parse_float();
-    stir(fog);
+  } else if (parser.accept(Keyword::kOctaves, fog.octaves) ||
+             parser.accept(Keyword::kLambda, fog.lambda) ||
+             parser.accept(Keyword::kOmega, fog.omega)) {
+    // Any word about turbulence sets it. Where it is 0, every place has the noise of the origin.
+    if (!fog.turbulence) fog.turbulence.emplace();
   } else if (at_float(parser) && !parser.at_colour()) {  // POV-Ray 1
     fog.distance = parser.parse_float();
     if (parser.language_version() >= 150)

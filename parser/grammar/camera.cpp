@@ -127,8 +127,7 @@ class CameraReader {
     if (m_camera.distribution < 0 || m_camera.distribution > 3) {
       m_parser.fail("The distribution of a mesh_camera must be 0 to 3.");
     }
-    m_parser.parse_comma();
-    m_camera.max_ray_distance = optional_float(m_parser, 0.0);
+    m_camera.max_ray_distance = next_float(m_parser, 0.0);
     Location where = m_parser.location();
     while (Ref<ObjectDesc> mesh = accept_object(m_parser, m_context)) {
       if (!std::holds_alternative<std::shared_ptr<const MeshShape>>(mesh->shape)) {
@@ -178,8 +177,7 @@ class CameraReader {
     if (!m_parser.accept(Keyword::kAngle)) return false;
     if (m_camera.kind == CameraKind::kSpherical && m_in_order) {
       m_camera.horizontal_angle = m_parser.parse_float();
-      m_parser.parse_comma();
-      m_camera.vertical_angle = optional_float(m_parser, m_camera.horizontal_angle * 0.5);
+      m_camera.vertical_angle = next_float(m_parser, m_camera.horizontal_angle * 0.5);
       if (m_camera.horizontal_angle < 0.0 || m_camera.vertical_angle < 0.0) {
         m_parser.fail("Negative viewing angle.");
       }
@@ -198,8 +196,7 @@ class CameraReader {
     if (m_parser.accept(Keyword::kBlurSamples)) {
       const int first = m_parser.parse_int();
       if (first <= 0) m_parser.fail("Illegal number of focal blur samples.");
-      m_parser.parse_comma();
-      const int second = static_cast<int>(optional_float(m_parser, 0.0));
+      const int second = static_cast<int>(next_float(m_parser, 0.0));
       if (second != 0 && first > second) {
         m_parser.fail("Focal blur samples minimum must not be larger than maximum.");
       }

@@ -67,14 +67,8 @@ void parse_irid(Parser& parser, FinishDesc& finish) {
 void parse_subsurface(Parser& parser, FinishDesc& finish) {
   parser.expect(Punct::kLeftCurly);
   SubsurfaceDesc subsurface;
-  for (;;) {
-    if (parser.accept(Keyword::kTranslucency)) {
-      subsurface.translucency = parse_rgb(parser);
-    } else if (parser.accept(Keyword::kAnisotropy)) {
-      subsurface.anisotropy = parse_rgb(parser);
-    } else {
-      break;
-    }
+  while (accept_rgb(parser, Keyword::kTranslucency, subsurface.translucency) ||
+         accept_rgb(parser, Keyword::kAnisotropy, subsurface.anisotropy)) {
   }
   finish.subsurface = subsurface;
   end_block(parser, "one of translucency, anisotropy");
@@ -82,20 +76,15 @@ void parse_subsurface(Parser& parser, FinishDesc& finish) {
 
 bool accept_diffuse_word(Parser& parser, FinishDesc& finish) {
   if (parser.accept(Keyword::kBrilliance, finish.brilliance) ||
-      parser.accept(Keyword::kCrand, finish.crand))
+      parser.accept(Keyword::kCrand, finish.crand) ||
+      accept_rgb(parser, Keyword::kAmbient, finish.ambient) ||
+      accept_rgb(parser, Keyword::kEmission, finish.emission))
     return true;
-  if (parser.accept(Keyword::kAmbient)) {
-    finish.ambient = parse_rgb(parser);
-  } else if (parser.accept(Keyword::kEmission)) {
-    finish.emission = parse_rgb(parser);
-  } else if (parser.accept(Keyword::kDiffuse)) {
-    finish.diffuse_albedo = parser.accept(Keyword::kAlbedo) || finish.diffuse_albedo;
-    finish.diffuse = parser.parse_float();
-    parser.parse_comma();
-    finish.diffuse_back = parse_optional_float(parser, 0.0);
-  } else {
-    return false;
-  }
+  if (!parser.accept(Keyword::kDiffuse)) return false;
+  finish.diffuse_albedo = parser.accept(Keyword::kAlbedo) || finish.diffuse_albedo;
+  finish.diffuse = parser.parse_float();
+  parser.parse_comma();
+  finish.diffuse_back = parse_optional_float(parser, 0.0);
   return true;
 }
 
@@ -121,20 +110,13 @@ bool accept_highlight_word(Parser& parser, FinishDesc& finish) {
 /// Words that belong to the interior since POV-Ray 3.1.
 bool accept_interior_word(Parser& parser, FinishDesc& finish) {
   const Location where = parser.location();
-  const char* word = "ior";
-  if (parser.accept(Keyword::kIor)) {
-    finish.ior = parser.parse_float();
-  } else if (parser.accept(Keyword::kCaustics)) {
-    finish.caustics = parser.parse_float();
-    word = "caustics";
-  } else if (parser.accept(Keyword::kRefraction)) {
-    finish.refraction = parser.parse_float();
-    word = "refraction";
-  } else {
+  const Keyword word = parser.peek().keyword;
+  if (!parser.accept(Keyword::kIor, finish.ior) &&
+      !parser.accept(Keyword::kCaustics, finish.caustics) &&
+      !parser.accept(Keyword::kRefraction, finish.refraction))
     return false;
-  }
-  parser.warn_at(where,
-                 std::string(word) + " belongs in the interior { } of an object, not in a finish");
+  parser.warn_at(where, std::string(spelling(word)) +
+                            " belongs in the interior { } of an object, not in a finish");
   return true;
 }
 

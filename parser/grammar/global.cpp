@@ -158,16 +158,14 @@ void parse_radiosity(Parser& parser, GlobalDesc& global) {
     } else if (parser.accept(Keyword::kCount)) {
       r.count = parser.parse_int();
       check(parser, r.count > 0, "Radiosity count must be a positive number.");
-      parser.parse_comma();
       r.direction_pool =
-          static_cast<int>(std::clamp(optional_float(parser, std::max(1600, r.count)), 0.0, 2e9));
+          static_cast<int>(std::clamp(next_float(parser, std::max(1600, r.count)), 0.0, 2e9));
       check_pool(parser, r);
     } else if (parser.accept(Keyword::kNearestCount)) {
       r.nearest_count = parser.parse_int();
       check(parser, r.nearest_count >= 1 && r.nearest_count <= kMostNearest,
             "Radiosity nearest_count goes from 1 to 20.");
-      parser.parse_comma();
-      r.nearest_count_adaptive = static_cast<int>(optional_float(parser, 0.0));
+      r.nearest_count_adaptive = static_cast<int>(next_float(parser, 0.0));
       check(parser, r.nearest_count_adaptive >= 0 && r.nearest_count_adaptive < r.nearest_count,
             "The second number of nearest_count must be less than the first.");
     } else if (parser.accept(Keyword::kRecursionLimit)) {
@@ -227,25 +225,18 @@ bool accept_photon_setting(Parser& parser, PhotonSettings& p, GlobalDesc& global
     return true;
   if (parser.accept(Keyword::kRadius)) {
     p.radius = optional_float(parser, -1.0);
-    parser.parse_comma();
-    p.radius_multiplier = optional_float(parser, 1.0);
-    parser.parse_comma();
-    p.media_radius = optional_float(parser, -1.0);
-    parser.parse_comma();
-    p.media_radius_multiplier = optional_float(parser, 1.0);
+    p.radius_multiplier = next_float(parser, 1.0);
+    p.media_radius = next_float(parser, -1.0);
+    p.media_radius_multiplier = next_float(parser, 1.0);
   } else if (parser.accept(Keyword::kExpandThresholds)) {
-    p.expand_increase = parser.parse_float();
-    parser.parse_comma();
-    p.expand_min = parser.parse_int();
+    parse_values(parser, p.expand_increase, p.expand_min);
     if (p.expand_increase < 0.0 || p.expand_min < 0) {
       parser.warn("The numbers of expand_thresholds must not be negative: 0 is used.");
       p.expand_increase = std::max(0.0, p.expand_increase);
       p.expand_min = std::max(0, p.expand_min);
     }
   } else if (parser.accept(Keyword::kGather)) {
-    p.gather_min = parser.parse_int();
-    parser.parse_comma();
-    p.gather_max = parser.parse_int();
+    parse_values(parser, p.gather_min, p.gather_max);
   } else if (parser.accept(Keyword::kLoadFile)) {
     accept_photon_file(parser, p, global, true);
   } else if (parser.accept(Keyword::kSaveFile)) {
@@ -253,8 +244,7 @@ bool accept_photon_setting(Parser& parser, PhotonSettings& p, GlobalDesc& global
   } else if (parser.accept(Keyword::kMedia)) {
     p.media_steps = parser.parse_int();
     check(parser, p.media_steps >= 0, "The steps of photons' media must not be negative.");
-    parser.parse_comma();
-    p.media_factor = optional_float(parser, 1.0);
+    p.media_factor = next_float(parser, 1.0);
     check(parser, p.media_factor > 0.0, "The factor of photons' media must be greater than 0.");
   } else {
     return false;
@@ -283,9 +273,7 @@ void parse_subsurface(Parser& parser, GlobalDesc& global) {
   parser.expect(Punct::kLeftCurly);
   while (!parser.accept(Punct::kRightCurly)) {
     if (parser.accept(Keyword::kSamples)) {
-      global.subsurface->samples_diffuse = parser.parse_int();
-      parser.parse_comma();
-      global.subsurface->samples_single = parser.parse_int();
+      parse_values(parser, global.subsurface->samples_diffuse, global.subsurface->samples_single);
     } else if (parser.accept(Keyword::kRadiosity)) {
       global.subsurface->radiosity = parser.parse_float() != 0.0;
     } else {

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <string>
 #include <string_view>
+#include <type_traits>
 
 #include "parser/interpreter/parser.h"
 #include "parser/tokens/keywords.h"
@@ -33,6 +34,37 @@ inline double optional_float(Parser& parser, double otherwise) {
 
 /// A switch that says "on" by standing alone.
 inline bool optional_switch(Parser& parser) { return optional_float(parser, 1.0) > 0.0; }
+
+/// A comma, which may be missing, then a float if one is next.
+inline double next_float(Parser& parser, double otherwise) {
+  parser.parse_comma();
+  return optional_float(parser, otherwise);
+}
+
+/// Numbers and vectors with commas between them, which may be missing.
+template <typename First, typename... Rest>
+void parse_values(Parser& parser, First& first, Rest&... rest) {
+  first = parser.parse<First>();
+  ((parser.parse_comma(), rest = parser.parse<Rest>()), ...);
+}
+
+/// A word of a table of readers: the value behind it goes to this member.
+template <auto kMember, typename Context, typename Desc>
+void read_value(Parser& parser, Context&, Desc& desc) {
+  desc.*kMember = parser.parse<std::remove_reference_t<decltype(desc.*kMember)>>();
+}
+
+/// A word of a table of readers: it stands alone and turns this member on.
+template <auto kMember, typename Context, typename Desc>
+void turn_on(Parser&, Context&, Desc& desc) {
+  desc.*kMember = true;
+}
+
+/// A word of a table of readers: the switch behind it goes to this member.
+template <auto kMember, typename Context, typename Desc>
+void read_switch(Parser& parser, Context&, Desc& desc) {
+  desc.*kMember = optional_switch(parser);
+}
 
 /// A vector of two components; a float stands for both.
 inline core::Vec2 parse_uv(Parser& parser) {

@@ -11,7 +11,8 @@ bool accept_interior_word(Parser& parser, MaterialContext& context, InteriorDesc
   if (parser.accept(Keyword::kDispersion, interior.dispersion) ||
       parser.accept(Keyword::kCaustics, interior.caustics) ||
       parser.accept(Keyword::kFadeDistance, interior.fade_distance) ||
-      parser.accept(Keyword::kFadePower, interior.fade_power))
+      parser.accept(Keyword::kFadePower, interior.fade_power) ||
+      accept_rgb(parser, Keyword::kFadeColor, interior.fade_colour))
     return true;
   if (parser.accept(Keyword::kIor)) {
     interior.ior = parser.parse_float();
@@ -19,8 +20,6 @@ bool accept_interior_word(Parser& parser, MaterialContext& context, InteriorDesc
   } else if (parser.accept(Keyword::kDispersionSamples)) {
     interior.dispersion_samples = parser.parse_int();
     if (interior.dispersion_samples < 2) parser.fail("dispersion_samples must be at least 2");
-  } else if (parser.accept(Keyword::kFadeColor)) {
-    interior.fade_colour = parse_rgb(parser);
   } else if (parser.accept(Keyword::kMedia)) {
     interior.media.push_back(parse_media(parser, context));
   } else if (parser.accept(Keyword::kRefraction)) {

@@ -18,12 +18,6 @@ bool is_beam(const LightDesc& light) {
   return light.kind == LightKind::kSpot || light.kind == LightKind::kCylinder;
 }
 
-void need_beam(Parser& parser, const LightDesc& light, const char* word) {
-  if (!is_beam(light)) {
-    parser.fail(std::string(word) + " needs spotlight or cylinder before it in a light_source.");
-  }
-}
-
 void parse_looks_like(Parser& parser, Context& context, LightDesc& light) {
   if (light.looks_like) parser.fail("Only one looks_like allowed per light_source.");
   parser.expect(Punct::kLeftCurly);
@@ -68,13 +62,7 @@ void parse_point_at(Parser& parser, Context&, LightDesc& light) {
 
 void parse_area_light(Parser& parser, Context&, LightDesc& light) {
   light.has_area = true;
-  light.axis1 = parser.parse_vector();
-  parser.parse_comma();
-  light.axis2 = parser.parse_vector();
-  parser.parse_comma();
-  light.size1 = parser.parse_int();
-  parser.parse_comma();
-  light.size2 = parser.parse_int();
+  parse_values(parser, light.axis1, light.axis2, light.size1, light.size2);
   if (light.size1 <= 0 || light.size2 <= 0) {
     parser.fail("The numbers of lights of an area_light must be greater than zero.");
   }
@@ -89,6 +77,10 @@ bool needs_area(Keyword word) {
          word == Keyword::kOrient;
 }
 
+bool needs_beam(Keyword word) {
+  return word == Keyword::kRadius || word == Keyword::kFalloff || word == Keyword::kTightness;
+}
+
 struct LightEntry {
   Keyword keyword;
   LightWord read;
@@ -100,45 +92,28 @@ constexpr std::array kLightWords{
                  l.adaptive = p.parse_int();
                  l.has_adaptive = true;
                }},
-    LightEntry{Keyword::kAreaIllumination,
-               [](Parser& p, Context&, LightDesc& l) { l.area_illumination = optional_switch(p); }},
+    LightEntry{Keyword::kAreaIllumination, read_switch<&LightDesc::area_illumination>},
     LightEntry{Keyword::kAreaLight, parse_area_light},
-    LightEntry{Keyword::kCircular, [](Parser&, Context&, LightDesc& l) { l.circular = true; }},
+    LightEntry{Keyword::kCircular, turn_on<&LightDesc::circular>},
     LightEntry{Keyword::kCylinder, parse_cylinder_light},
-    LightEntry{Keyword::kFadeDistance,
-               [](Parser& p, Context&, LightDesc& l) { l.fade_distance = p.parse_float(); }},
-    LightEntry{Keyword::kFadePower,
-               [](Parser& p, Context&, LightDesc& l) { l.fade_power = p.parse_float(); }},
-    LightEntry{Keyword::kFalloff,
-               [](Parser& p, Context&, LightDesc& l) {
-                 need_beam(p, l, "falloff");
-                 l.falloff = p.parse_float();
-               }},
-    LightEntry{Keyword::kJitter, [](Parser&, Context&, LightDesc& l) { l.jitter = true; }},
+    LightEntry{Keyword::kFadeDistance, read_value<&LightDesc::fade_distance>},
+    LightEntry{Keyword::kFadePower, read_value<&LightDesc::fade_power>},
+    LightEntry{Keyword::kFalloff, read_value<&LightDesc::falloff>},
+    LightEntry{Keyword::kJitter, turn_on<&LightDesc::jitter>},
     LightEntry{Keyword::kLooksLike, parse_looks_like},
-    LightEntry{Keyword::kMediaAttenuation,
-               [](Parser& p, Context&, LightDesc& l) { l.media_attenuation = optional_switch(p); }},
-    LightEntry{Keyword::kMediaInteraction,
-               [](Parser& p, Context&, LightDesc& l) { l.media_interaction = optional_switch(p); }},
-    LightEntry{Keyword::kOrient, [](Parser&, Context&, LightDesc& l) { l.orient = true; }},
-    LightEntry{Keyword::kParallel, [](Parser&, Context&, LightDesc& l) { l.parallel = true; }},
+    LightEntry{Keyword::kMediaAttenuation, read_switch<&LightDesc::media_attenuation>},
+    LightEntry{Keyword::kMediaInteraction, read_switch<&LightDesc::media_interaction>},
+    LightEntry{Keyword::kOrient, turn_on<&LightDesc::orient>},
+    LightEntry{Keyword::kParallel, turn_on<&LightDesc::parallel>},
     LightEntry{Keyword::kPhotons,
                [](Parser& p, Context&, LightDesc& l) { parse_photon_flags(p, l.photons, true); }},
     LightEntry{Keyword::kPointAt, parse_point_at},
     LightEntry{Keyword::kProjectedThrough, parse_projected_through},
-    LightEntry{Keyword::kRadius,
-               [](Parser& p, Context&, LightDesc& l) {
-                 need_beam(p, l, "radius");
-                 l.radius = p.parse_float();
-               }},
+    LightEntry{Keyword::kRadius, read_value<&LightDesc::radius>},
     LightEntry{Keyword::kShadowless,
                [](Parser&, Context&, LightDesc& l) { l.kind = LightKind::kShadowless; }},
     LightEntry{Keyword::kSpotlight, parse_spotlight},
-    LightEntry{Keyword::kTightness,
-               [](Parser& p, Context&, LightDesc& l) {
-                 need_beam(p, l, "tightness");
-                 l.tightness = p.parse_float();
-               }},
+    LightEntry{Keyword::kTightness, read_value<&LightDesc::tightness>},
 };
 
 /// Up to the closing brace.
@@ -149,6 +124,10 @@ void parse_light_words(Parser& parser, Context& context, LightDesc& light) {
       light.apply(*transform);
     } else if (const LightEntry* entry = find_entry<kLightWords>(parser.peek())) {
       parser.next();
+      if (needs_beam(entry->keyword) && !is_beam(light)) {
+        parser.fail(std::string(spelling(entry->keyword)) +
+                    " needs spotlight or cylinder before it in a light_source.");
+      }
       entry->read(parser, context, light);
       if (needs_area(entry->keyword) && !light.has_area) {
         const bool has_value = entry->keyword == Keyword::kAreaIllumination;

@@ -37,14 +37,10 @@ class DensityTarget final : public PatternTarget {
   }
 
   bool accept_own_modifier(Parser& parser) override {
-    if (parser.at(Keyword::kColorMap)) {
-      check_map_allowed(parser, m_density.pattern, "color_map", false);
-      parser.next();
+    if (accept_map(parser, Keyword::kColorMap, m_density.pattern, false)) {
       m_density.colour_map = parse_colour_map(parser, m_context);
       m_density.density_map = nullptr;
-    } else if (parser.at(Keyword::kDensityMap)) {
-      check_map_allowed(parser, m_density.pattern, "density_map", true);
-      parser.next();
+    } else if (accept_map(parser, Keyword::kDensityMap, m_density.pattern, true)) {
       m_density.density_map =
           parse_density_map(parser, m_context, m_density.pattern.kind == PatternKind::kAverage);
       m_density.colour_map = nullptr;
@@ -119,12 +115,11 @@ void parse_scattering(Parser& parser, ScatteringDesc& scattering) {
 }
 
 bool accept_media_word(Parser& parser, MaterialContext& context, MediaDesc& media) {
-  if (accept_sampling_word(parser, media)) return true;
-  if (parser.accept(Keyword::kAbsorption)) {
-    media.absorption = parse_rgb(parser);
-  } else if (parser.accept(Keyword::kEmission)) {
-    media.emission = parse_rgb(parser);
-  } else if (parser.accept(Keyword::kScattering)) {
+  if (accept_sampling_word(parser, media) ||
+      accept_rgb(parser, Keyword::kAbsorption, media.absorption) ||
+      accept_rgb(parser, Keyword::kEmission, media.emission))
+    return true;
+  if (parser.accept(Keyword::kScattering)) {
     parse_scattering(parser, media.scattering);
   } else if (parser.accept(Keyword::kCollect)) {
     media.ignore_photons = !(parse_optional_float(parser, 1.0) > 0.0);

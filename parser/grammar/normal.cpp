@@ -50,15 +50,12 @@ class NormalTarget final : public PatternTarget {
       after_pattern(parser);
     } else if (parser.accept(Keyword::kNoBumpScale)) {
       m_normal.no_bump_scale = true;
-    } else if (parser.at(Keyword::kSlopeMap)) {
-      check_map_allowed(parser, pattern, "slope_map", false);
-      parser.next();
+    } else if (accept_map(parser, Keyword::kSlopeMap, pattern, false)) {
       m_normal.slope_map = parse_slope_map(parser, m_context);
       m_normal.normal_map = nullptr;
-    } else if (parser.at(Keyword::kNormalMap)) {
-      check_map_allowed(parser, pattern, "normal_map", true);
-      if (pattern.kind == PatternKind::kFacets) parser.fail("cannot use normal_map with facets");
-      parser.next();
+    } else if (pattern.kind == PatternKind::kFacets && parser.at(Keyword::kNormalMap)) {
+      parser.fail("cannot use normal_map with facets");
+    } else if (accept_map(parser, Keyword::kNormalMap, pattern, true)) {
       m_normal.normal_map =
           parse_normal_map(parser, m_context, pattern.kind == PatternKind::kAverage);
       m_normal.slope_map = nullptr;

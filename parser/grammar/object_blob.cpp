@@ -53,11 +53,7 @@ BlobElement parse_blob_element(Parser& parser, Context& context, BlobElement::Ki
 /// `component strength, radius, centre`, the syntax of old scenes.
 BlobElement parse_blob_component(Parser& parser) {
   BlobElement e;
-  e.strength = parser.parse_float();
-  parser.parse_comma();
-  e.radius = parser.parse_float();
-  parser.parse_comma();
-  e.a = parser.parse_vector();
+  parse_values(parser, e.strength, e.radius, e.a);
   parser.parse_comma();
   return e;
 }

@@ -111,9 +111,7 @@ ShapeDesc parse_prism(Parser& parser, Context&) {
       break;
     }
   }
-  s.height1 = parser.parse_float();
-  parser.parse_comma();
-  s.height2 = parser.parse_float();
+  parse_values(parser, s.height1, s.height2);
   parser.parse_comma();
   const int count = parser.parse_int();
   if (count < 3) parser.fail("A prism must have at least three points.");

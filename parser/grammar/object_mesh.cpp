@@ -3,8 +3,10 @@
 #include <cmath>
 #include <cstdint>
 #include <cstring>
+#include <functional>
 #include <string>
 #include <unordered_map>
+#include <utility>
 
 #include "parser/grammar/helpers.h"
 #include "parser/grammar/object_shapes.h"
@@ -15,15 +17,6 @@ namespace {
 
 constexpr core::MeshTriple kNoTriple{core::kNoIndex, core::kNoIndex, core::kNoIndex};
 
-struct BitsHash {
-  template <std::size_t kCount>
-  std::size_t operator()(const std::array<std::uint64_t, kCount>& bits) const {
-    std::uint64_t h = 0x9e3779b97f4a7c15u;
-    for (const std::uint64_t b : bits) h = (h ^ b) * 0xff51afd7ed558ccdu ^ (h >> 29);
-    return h;
-  }
-};
-
 std::uint64_t bits_of(double x) {
   if (x == 0.0) x = 0.0;  // -0 is 0
   std::uint64_t bits;
@@ -31,36 +24,38 @@ std::uint64_t bits_of(double x) {
   return bits;
 }
 
-/// Gives equal points of a mesh one index.
-class PointPool {
- public:
-  explicit PointPool(std::vector<Vec3>& points) : m_points(points) {}
-  std::uint32_t index(const Vec3& p) {
-    const auto [it, fresh] =
-        m_index.try_emplace(std::array{bits_of(p.x), bits_of(p.y), bits_of(p.z)},
-                            static_cast<std::uint32_t>(m_points.size()));
-    if (fresh) m_points.push_back(p);
-    return it->second;
-  }
+/// Items with one key are one.
+std::array<std::uint64_t, 3> key_of(const Vec3& p) {
+  return {bits_of(p.x), bits_of(p.y), bits_of(p.z)};
+}
+const TextureDesc* key_of(const Ref<TextureDesc>& texture) { return texture.get(); }
 
- private:
-  std::vector<Vec3>& m_points;
-  std::unordered_map<std::array<std::uint64_t, 3>, std::uint32_t, BitsHash> m_index;
+struct KeyHash {
+  std::size_t operator()(const TextureDesc* texture) const {
+    return std::hash<const TextureDesc*>()(texture);
+  }
+  std::size_t operator()(const std::array<std::uint64_t, 3>& bits) const {
+    std::uint64_t h = 0x9e3779b97f4a7c15u;
+    for (const std::uint64_t b : bits) h = (h ^ b) * 0xff51afd7ed558ccdu ^ (h >> 29);
+    return h;
+  }
 };
 
-class TexturePool {
+/// Gives equal items of a mesh one index.
+template <typename Item>
+class Pool {
  public:
-  explicit TexturePool(std::vector<Ref<TextureDesc>>& textures) : m_textures(textures) {}
-  std::uint32_t index(const Ref<TextureDesc>& texture) {
+  explicit Pool(std::vector<Item>& items) : m_items(items) {}
+  std::uint32_t index(const Item& item) {
     const auto [it, fresh] =
-        m_index.try_emplace(texture.get(), static_cast<std::uint32_t>(m_textures.size()));
-    if (fresh) m_textures.push_back(texture);
+        m_index.try_emplace(key_of(item), static_cast<std::uint32_t>(m_items.size()));
+    if (fresh) m_items.push_back(item);
     return it->second;
   }
 
  private:
-  std::vector<Ref<TextureDesc>>& m_textures;
-  std::unordered_map<const TextureDesc*, std::uint32_t> m_index;
+  std::vector<Item>& m_items;
+  std::unordered_map<decltype(key_of(std::declval<Item>())), std::uint32_t, KeyHash> m_index;
 };
 
 /// Reads normals. Those of no length become <1, 0, 0>, as in stock, with one warning a mesh.
@@ -93,8 +88,8 @@ class NormalReader {
 struct MeshReader {
   MeshShape mesh;
   NormalReader normal_reader;
-  PointPool vertices{mesh.vertices}, normals{mesh.normals};
-  TexturePool textures{mesh.textures};
+  Pool<Vec3> vertices{mesh.vertices}, normals{mesh.normals};
+  Pool<Ref<TextureDesc>> textures{mesh.textures};
 
   void parse_face(Parser& parser, Context& context, bool smooth) {
     parser.expect(Punct::kLeftCurly);
@@ -149,19 +144,6 @@ void check_index(Parser& parser, int index, std::size_t size, const char* what) 
     parser.fail(std::string(what) + " index " + std::to_string(index) +
                 " is out of range: there are " + std::to_string(size) + ".");
   }
-}
-
-/// `{ count, items }` where `item` reads one.
-template <typename Item>
-void parse_counted(Parser& parser, Item item) {
-  parser.expect(Punct::kLeftCurly);
-  const int count = parser.parse_int();
-  parser.parse_comma();
-  for (int i = 0; i < count; ++i) {
-    item(i);
-    parser.parse_comma();
-  }
-  parser.expect(Punct::kRightCurly);
 }
 
 /// `{ count, items }` into a list.
@@ -222,11 +204,11 @@ struct Mesh2Reader {
       parse_list(parser, mesh.vertices, [&] { return parser.parse_vector(); });
       if (mesh.vertices.empty()) parser.fail("No vertices in triangle mesh.");
     } else if (parser.accept(Keyword::kNormalVectors)) {
-      parse_counted(parser, [&](int) { mesh.normals.push_back(normal_reader.read(parser)); });
+      parse_list(parser, mesh.normals, [&] { return normal_reader.read(parser); });
     } else if (parser.accept(Keyword::kUvVectors)) {
-      parse_counted(parser, [&](int) { mesh.uvs.push_back(parse_uv(parser)); });
+      parse_list(parser, mesh.uvs, [&] { return parse_uv(parser); });
     } else if (parser.accept(Keyword::kTextureList)) {
-      parse_counted(parser, [&](int) {
+      parse_list(parser, mesh.textures, [&] {
         Ref<TextureDesc> texture;
         if (parser.accept(Keyword::kTexture)) {
           texture = parse_texture(parser, context.materials);
@@ -235,17 +217,17 @@ struct Mesh2Reader {
         } else {
           parser.fail_expected("texture");
         }
-        mesh.textures.push_back(texture);
+        return texture;
       });
     } else if (parser.accept(Keyword::kFaceIndices)) {
       parse_list(parser, mesh.faces, [&] { return parse_indexed_face(parser, mesh); });
       if (mesh.faces.empty()) parser.fail("No triangles in triangle mesh.");
     } else if (parser.accept(Keyword::kNormalIndices)) {
       has_normal_indices = true;
-      parse_counted(parser, [&](int) { normal_indices.push_back(parse_triple(parser)); });
+      parse_list(parser, normal_indices, [&] { return parse_triple(parser); });
     } else if (parser.accept(Keyword::kUvIndices)) {
       has_uv_indices = true;
-      parse_counted(parser, [&](int) { uv_indices.push_back(parse_triple(parser)); });
+      parse_list(parser, uv_indices, [&] { return parse_triple(parser); });
     } else {
       return false;
     }

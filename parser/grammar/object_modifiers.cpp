@@ -107,16 +107,6 @@ void parse_uv_mapping(Parser& parser, Context&, ObjectDesc& object) {
   object.uv_mapping = true;
 }
 
-template <bool ObjectDesc::*kFlag>
-void parse_switch(Parser& parser, Context&, ObjectDesc& object) {
-  object.*kFlag = optional_switch(parser);
-}
-
-template <std::optional<bool> ObjectDesc::*kFlag>
-void parse_optional_switch(Parser& parser, Context&, ObjectDesc& object) {
-  object.*kFlag = optional_switch(parser);
-}
-
 struct ModifierEntry {
   Keyword keyword;
   Modifier read;
@@ -132,25 +122,23 @@ constexpr std::array kModifiers{
                     std::get<CsgShape>(object.shape).cutaway_textures = true;
                   },
                   has_cutaway, "intersection and difference"},
-    ModifierEntry{Keyword::kDoubleIlluminate,
-                  parse_optional_switch<&ObjectDesc::double_illuminate>},
-    ModifierEntry{Keyword::kHierarchy, parse_switch<&ObjectDesc::hierarchy>, has_hierarchy,
+    ModifierEntry{Keyword::kDoubleIlluminate, read_switch<&ObjectDesc::double_illuminate>},
+    ModifierEntry{Keyword::kHierarchy, read_switch<&ObjectDesc::hierarchy>, has_hierarchy,
                   "blob, mesh and height_field"},
-    ModifierEntry{Keyword::kHollow, parse_optional_switch<&ObjectDesc::hollow>},
+    ModifierEntry{Keyword::kHollow, read_switch<&ObjectDesc::hollow>},
     ModifierEntry{Keyword::kInverse,
                   [](Parser&, Context&, ObjectDesc& object) { object.inverse = !object.inverse; }},
-    ModifierEntry{Keyword::kNoImage, parse_switch<&ObjectDesc::no_image>},
-    ModifierEntry{Keyword::kNoRadiosity, parse_switch<&ObjectDesc::no_radiosity>},
-    ModifierEntry{Keyword::kNoReflection, parse_switch<&ObjectDesc::no_reflection>},
-    ModifierEntry{Keyword::kNoShadow,
-                  [](Parser&, Context&, ObjectDesc& object) { object.no_shadow = true; }},
+    ModifierEntry{Keyword::kNoImage, read_switch<&ObjectDesc::no_image>},
+    ModifierEntry{Keyword::kNoRadiosity, read_switch<&ObjectDesc::no_radiosity>},
+    ModifierEntry{Keyword::kNoReflection, read_switch<&ObjectDesc::no_reflection>},
+    ModifierEntry{Keyword::kNoShadow, turn_on<&ObjectDesc::no_shadow>},
     ModifierEntry{Keyword::kPhotons,
                   [](Parser& parser, Context&, ObjectDesc& object) {
                     parse_photon_flags(parser, object.rare.edit().photons, false);
                   }},
     ModifierEntry{Keyword::kRadiosity, parse_radiosity},
     ModifierEntry{Keyword::kSplitUnion, parse_split_union},
-    ModifierEntry{Keyword::kSturm, parse_switch<&ObjectDesc::sturm>, has_sturm,
+    ModifierEntry{Keyword::kSturm, read_switch<&ObjectDesc::sturm>, has_sturm,
                   "blob, lathe, ovus, poly, prism, sor and torus"},
     ModifierEntry{Keyword::kUvMapping, parse_uv_mapping},
 };

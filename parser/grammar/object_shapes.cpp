@@ -35,17 +35,13 @@ bool is_patch(const ObjectDesc& object) {
 
 ShapeDesc parse_sphere(Parser& parser, Context&) {
   SphereShape s;
-  s.centre = parser.parse_vector();
-  parser.parse_comma();
-  s.radius = parser.parse_float();
+  parse_values(parser, s.centre, s.radius);
   return s;
 }
 
 ShapeDesc parse_box(Parser& parser, Context&) {
   BoxShape s;
-  s.corner1 = parser.parse_vector();
-  parser.parse_comma();
-  s.corner2 = parser.parse_vector();
+  parse_values(parser, s.corner1, s.corner2);
   return s;
 }
 
@@ -60,11 +56,7 @@ ShapeDesc parse_plane(Parser& parser, Context&) {
 
 ShapeDesc parse_cylinder(Parser& parser, Context&) {
   CylinderShape s;
-  s.base = parser.parse_vector();
-  parser.parse_comma();
-  s.cap = parser.parse_vector();
-  parser.parse_comma();
-  s.radius = parser.parse_float();
+  parse_values(parser, s.base, s.cap, s.radius);
   s.open = parser.accept(Keyword::kOpen);
   if (length(s.cap - s.base) < kTiny) {
     parser.fail("Degenerate cylinder, base point = apex point.");
@@ -74,13 +66,7 @@ ShapeDesc parse_cylinder(Parser& parser, Context&) {
 
 ShapeDesc parse_cone(Parser& parser, Context&) {
   ConeShape s;
-  s.base = parser.parse_vector();
-  parser.parse_comma();
-  s.base_radius = parser.parse_float();
-  parser.parse_comma();
-  s.cap = parser.parse_vector();
-  parser.parse_comma();
-  s.cap_radius = parser.parse_float();
+  parse_values(parser, s.base, s.base_radius, s.cap, s.cap_radius);
   s.open = parser.accept(Keyword::kOpen);
   if (length(s.cap - s.base) < kTiny) {
     parser.fail("Degenerate cone, base point = apex point.");
@@ -90,21 +76,14 @@ ShapeDesc parse_cone(Parser& parser, Context&) {
 
 ShapeDesc parse_torus(Parser& parser, Context&) {
   TorusShape s;
-  s.major = parser.parse_float();
-  parser.parse_comma();
-  s.minor = parser.parse_float();
+  parse_values(parser, s.major, s.minor);
   return s;
 }
 
 ShapeDesc parse_disc(Parser& parser, Context&) {
   DiscShape s;
-  s.centre = parser.parse_vector();
-  parser.parse_comma();
-  s.normal = parser.parse_vector();
-  parser.parse_comma();
-  s.radius = parser.parse_float();
-  parser.parse_comma();
-  s.hole = optional_float(parser, 0.0);
+  parse_values(parser, s.centre, s.normal, s.radius);
+  s.hole = next_float(parser, 0.0);
   return s;
 }
 
@@ -123,9 +102,7 @@ ShapeDesc parse_smooth_triangle(Parser& parser, Context&) {
   const Location where = parser.location();
   SmoothTriangleShape s;
   for (int i = 0; i < 3; ++i) {
-    s.p[i] = parser.parse_vector();
-    parser.parse_comma();
-    s.n[i] = parser.parse_vector();
+    parse_values(parser, s.p[i], s.n[i]);
     parser.parse_comma();
   }
   const bool flat =

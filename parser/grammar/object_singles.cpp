@@ -75,9 +75,7 @@ ShapeDesc parse_height_field(Parser& parser, Context&) {
   HeightFieldShape s;
   if (parser.accept(Keyword::kFunction)) {
     const Location where = parser.location();
-    s.width = parser.parse_int();
-    parser.parse_comma();
-    s.height = parser.parse_int();
+    parse_values(parser, s.width, s.height);
     check_points(parser, where, s.width, s.height);
     s.function = parser.parse_function_body();
   } else {
@@ -158,9 +156,7 @@ ShapeDesc parse_julia_fractal(Parser& parser, Context&) {
 
 ShapeDesc parse_ovus(Parser& parser, Context&) {
   OvusShape s;
-  s.bottom = parser.parse_float();
-  parser.parse_comma();
-  s.top = parser.parse_float();
+  parse_values(parser, s.bottom, s.top);
   if (s.bottom < 0.0 || s.top < 0.0) parser.fail("The radii of an ovus must be positive.");
   if (s.top >= 2.0 * s.bottom) {
     parser.warn("the upper radius of this ovus is at least twice the lower one: it is a sphere");
@@ -199,9 +195,7 @@ ShapeDesc parse_text(Parser& parser, Context& context) {
   parser.parse_comma();
   s.text = parser.parse_string();
   parser.parse_comma();
-  s.thickness = parser.parse_float();
-  parser.parse_comma();
-  s.offset = parser.parse_vector();
+  parse_values(parser, s.thickness, s.offset);
   s.unicode = parser.utf8();
   return s;
 }

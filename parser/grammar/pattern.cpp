@@ -217,61 +217,54 @@ void read_tiling(const Reader& r) {
   }
 }
 
-constexpr PatternRule kRules[] = {
-    {Keyword::kAgate, PatternKind::kAgate, read_agate},
-    {Keyword::kAoi, PatternKind::kAoi},
-    {Keyword::kAverage, PatternKind::kAverage},
-    {Keyword::kBoxed, PatternKind::kBoxed},
-    {Keyword::kBozo, PatternKind::kBozo},
-    {Keyword::kBrick, PatternKind::kBrick, read_items<2>},
-    {Keyword::kBumps, PatternKind::kBumps},
-    {Keyword::kCells, PatternKind::kCells},
-    {Keyword::kChecker, PatternKind::kChecker, read_items<2>},
-    {Keyword::kCrackle, PatternKind::kCrackle, read_crackle},
-    {Keyword::kCubic, PatternKind::kCubic, read_items<6>},
-    {Keyword::kCylindrical, PatternKind::kCylindrical},
-    {Keyword::kDensityFile, PatternKind::kDensityFile, read_density_file},
-    {Keyword::kDents, PatternKind::kDents},
-    {Keyword::kFacets, PatternKind::kFacets, read_facets},
-    {Keyword::kFunction, PatternKind::kFunction, read_function},
-    {Keyword::kGradient, PatternKind::kGradient, read_gradient},
-    {Keyword::kGranite, PatternKind::kGranite},
-    {Keyword::kHexagon, PatternKind::kHexagon, read_items<3>},
-    {Keyword::kImageMap, PatternKind::kImageMap, read_image_map},
-    {Keyword::kImagePattern, PatternKind::kImagePattern, read_image_pattern},
-    {Keyword::kJulia, PatternKind::kJulia, read_julia},
-    {Keyword::kLeopard, PatternKind::kLeopard},
-    {Keyword::kMagnet, PatternKind::kMagnetMandel, read_magnet},
-    {Keyword::kMandel, PatternKind::kMandel, read_mandel},
-    {Keyword::kMarble, PatternKind::kMarble, read_triangle_wave},
-    {Keyword::kObject, PatternKind::kObject, read_object},
-    {Keyword::kOnion, PatternKind::kOnion},
-    {Keyword::kPavement, PatternKind::kPavement, read_pavement},
-    {Keyword::kPigmentPattern, PatternKind::kPigmentPattern, read_pigment_pattern},
-    {Keyword::kPlanar, PatternKind::kPlanar},
-    {Keyword::kQuilted, PatternKind::kQuilted, read_quilted},
-    {Keyword::kRadial, PatternKind::kRadial},
-    {Keyword::kRipples, PatternKind::kRipples},
-    {Keyword::kSlope, PatternKind::kSlope, read_slope},
-    {Keyword::kSpherical, PatternKind::kSpherical},
-    {Keyword::kSpiral1, PatternKind::kSpiral1, read_spiral},
-    {Keyword::kSpiral2, PatternKind::kSpiral2, read_spiral},
-    {Keyword::kSpotted, PatternKind::kSpotted},
-    {Keyword::kSquare, PatternKind::kSquare, read_items<4>},
-    {Keyword::kTiling, PatternKind::kTiling, read_tiling},
-    {Keyword::kTriangular, PatternKind::kTriangular, read_items<6>},
-    {Keyword::kUvMapping, PatternKind::kUvMapping, read_uv_mapping},
-    {Keyword::kWaves, PatternKind::kWaves},
-    {Keyword::kWood, PatternKind::kWood, read_triangle_wave},
-    {Keyword::kWrinkles, PatternKind::kWrinkles},
+constexpr std::array kRules{
+    PatternRule{Keyword::kAgate, PatternKind::kAgate, read_agate},
+    PatternRule{Keyword::kAoi, PatternKind::kAoi},
+    PatternRule{Keyword::kAverage, PatternKind::kAverage},
+    PatternRule{Keyword::kBoxed, PatternKind::kBoxed},
+    PatternRule{Keyword::kBozo, PatternKind::kBozo},
+    PatternRule{Keyword::kBrick, PatternKind::kBrick, read_items<2>},
+    PatternRule{Keyword::kBumps, PatternKind::kBumps},
+    PatternRule{Keyword::kCells, PatternKind::kCells},
+    PatternRule{Keyword::kChecker, PatternKind::kChecker, read_items<2>},
+    PatternRule{Keyword::kCrackle, PatternKind::kCrackle, read_crackle},
+    PatternRule{Keyword::kCubic, PatternKind::kCubic, read_items<6>},
+    PatternRule{Keyword::kCylindrical, PatternKind::kCylindrical},
+    PatternRule{Keyword::kDensityFile, PatternKind::kDensityFile, read_density_file},
+    PatternRule{Keyword::kDents, PatternKind::kDents},
+    PatternRule{Keyword::kFacets, PatternKind::kFacets, read_facets},
+    PatternRule{Keyword::kFunction, PatternKind::kFunction, read_function},
+    PatternRule{Keyword::kGradient, PatternKind::kGradient, read_gradient},
+    PatternRule{Keyword::kGranite, PatternKind::kGranite},
+    PatternRule{Keyword::kHexagon, PatternKind::kHexagon, read_items<3>},
+    PatternRule{Keyword::kImageMap, PatternKind::kImageMap, read_image_map},
+    PatternRule{Keyword::kImagePattern, PatternKind::kImagePattern, read_image_pattern},
+    PatternRule{Keyword::kJulia, PatternKind::kJulia, read_julia},
+    PatternRule{Keyword::kLeopard, PatternKind::kLeopard},
+    PatternRule{Keyword::kMagnet, PatternKind::kMagnetMandel, read_magnet},
+    PatternRule{Keyword::kMandel, PatternKind::kMandel, read_mandel},
+    PatternRule{Keyword::kMarble, PatternKind::kMarble, read_triangle_wave},
+    PatternRule{Keyword::kObject, PatternKind::kObject, read_object},
+    PatternRule{Keyword::kOnion, PatternKind::kOnion},
+    PatternRule{Keyword::kPavement, PatternKind::kPavement, read_pavement},
+    PatternRule{Keyword::kPigmentPattern, PatternKind::kPigmentPattern, read_pigment_pattern},
+    PatternRule{Keyword::kPlanar, PatternKind::kPlanar},
+    PatternRule{Keyword::kQuilted, PatternKind::kQuilted, read_quilted},
+    PatternRule{Keyword::kRadial, PatternKind::kRadial},
+    PatternRule{Keyword::kRipples, PatternKind::kRipples},
+    PatternRule{Keyword::kSlope, PatternKind::kSlope, read_slope},
+    PatternRule{Keyword::kSpherical, PatternKind::kSpherical},
+    PatternRule{Keyword::kSpiral1, PatternKind::kSpiral1, read_spiral},
+    PatternRule{Keyword::kSpiral2, PatternKind::kSpiral2, read_spiral},
+    PatternRule{Keyword::kSpotted, PatternKind::kSpotted},
+    PatternRule{Keyword::kSquare, PatternKind::kSquare, read_items<4>},
+    PatternRule{Keyword::kTiling, PatternKind::kTiling, read_tiling},
+    PatternRule{Keyword::kTriangular, PatternKind::kTriangular, read_items<6>},
+    PatternRule{Keyword::kUvMapping, PatternKind::kUvMapping, read_uv_mapping},
+    PatternRule{Keyword::kWaves, PatternKind::kWaves},
+    PatternRule{Keyword::kWood, PatternKind::kWood, read_triangle_wave},
+    PatternRule{Keyword::kWrinkles, PatternKind::kWrinkles},
 };
-
-const PatternRule* find_rule(const Token& token) {
-  if (token.kind != TokenKind::kKeyword) return nullptr;
-  const auto found = std::find_if(std::begin(kRules), std::end(kRules),
-                                  [&](const PatternRule& r) { return r.keyword == token.keyword; });
-  return found == std::end(kRules) ? nullptr : found;
-}
 
 void check_pavement(Parser& parser, const PatternParameters& p) {
   const int sides = p.pavement_sides;
@@ -308,15 +301,16 @@ bool is_unset(const PatternDesc& pattern) {
   return pattern.kind == PatternKind::kPlain && pattern.where.file == 0;
 }
 
-void check_map_allowed(Parser& parser, const PatternDesc& pattern, std::string_view map,
-                       bool average_allowed) {
+bool accept_map(Parser& parser, Keyword map, const PatternDesc& pattern, bool average_allowed) {
+  if (!parser.at(map)) return false;
   const PatternKind kind = pattern.kind;
   if (has_item_list(kind) || kind == PatternKind::kPlain || kind == PatternKind::kImageMap ||
       kind == PatternKind::kBumpMap || (kind == PatternKind::kAverage && !average_allowed)) {
     const std::string what =
         kind == PatternKind::kPlain ? "no pattern" : std::string(pattern_name(kind));
-    parser.fail("cannot use " + std::string(map) + " with " + what);
+    parser.fail("cannot use " + std::string(spelling(map)) + " with " + what);
   }
+  return parser.accept(map);
 }
 
 bool accept_pattern(Parser& parser, MaterialContext& context, PatternTarget& target) {
@@ -327,7 +321,7 @@ bool accept_pattern(Parser& parser, MaterialContext& context, PatternTarget& tar
     pattern.where = where;
     return true;
   }
-  const PatternRule* rule = find_rule(parser.peek());
+  const PatternRule* rule = find_entry<kRules>(parser.peek());
   if (!rule) return false;
   parser.next();
   pattern.kind = rule->kind;
@@ -364,6 +358,12 @@ void parse_pattern_body(Parser& parser, MaterialContext& context, PatternTarget&
 }
 
 core::Rgb parse_rgb(Parser& parser) { return to_colour(parser.parse_colour()).rgb; }
+
+bool accept_rgb(Parser& parser, Keyword keyword, core::Rgb& colour) {
+  const bool next = parser.accept(keyword);
+  if (next) colour = parse_rgb(parser);
+  return next;
+}
 
 double parse_optional_float(Parser& parser, double otherwise) {
   return parser.at_expression() ? parser.parse_float() : otherwise;

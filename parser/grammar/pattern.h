@@ -76,12 +76,11 @@ bool accept_turbulence_word(Parser& parser, PatternDesc& pattern);
 
 /// True for patterns with a list of items, which take no map.
 bool has_item_list(PatternKind kind);
-/// Fails unless a map (keyword `map`) can go with the target's pattern.
 /// Neither a colour nor a pattern has been said yet.
 bool is_unset(const PatternDesc& pattern);
 
-void check_map_allowed(Parser& parser, const PatternDesc& pattern, std::string_view map,
-                       bool average_allowed);
+/// The word of a map, if it is next; fails unless the map can go with the pattern.
+bool accept_map(Parser& parser, Keyword map, const PatternDesc& pattern, bool average_allowed);
 
 /// What stands between the braces of an image: file, gamma, and what all uses of images share.
 std::shared_ptr<ImageDesc> parse_image_source(Parser& parser);
@@ -111,6 +110,8 @@ const TextureLayerDesc& default_layer(const MaterialContext& context);
 Ref<ColourMapDesc> parse_colour_list(Parser& parser, PatternKind kind, int count);
 
 core::Rgb parse_rgb(Parser& parser);
+/// The word and the colour behind it.
+bool accept_rgb(Parser& parser, Keyword keyword, core::Rgb& colour);
 /// A float if one is next, else `otherwise`.
 double parse_optional_float(Parser& parser, double otherwise);
 

@@ -210,9 +210,7 @@ void fit_black_hole(Parser& parser, WarpParameters& warp) {
 }
 
 void parse_black_hole(Parser& parser, WarpParameters& warp) {
-  warp.centre = parser.parse_vector();
-  parser.parse_comma();
-  warp.radius = parser.parse_float();
+  parse_values(parser, warp.centre, warp.radius);
   for (;;) {
     if (parser.accept(Keyword::kStrength, warp.strength) ||
         parser.accept(Keyword::kFalloff, warp.power))
@@ -274,13 +272,10 @@ WarpDesc parse_warp(Parser& parser) {
   } else if (parser.accept(Keyword::kCubic)) {
     warp.kind = WarpDesc::Kind::kCubic;
   } else {
-    if (parser.accept(Keyword::kCylindrical)) {
-      warp.kind = WarpDesc::Kind::kCylindrical;
-    } else if (parser.accept(Keyword::kSpherical)) {
-      warp.kind = WarpDesc::Kind::kSpherical;
-    } else if (parser.accept(Keyword::kToroidal)) {
-      warp.kind = WarpDesc::Kind::kToroidal;
-    } else {
+    warp.kind = parser.accept(Keyword::kCylindrical) ? WarpDesc::Kind::kCylindrical
+                : parser.accept(Keyword::kSpherical) ? WarpDesc::Kind::kSpherical
+                                                     : WarpDesc::Kind::kToroidal;
+    if (warp.kind == WarpDesc::Kind::kToroidal && !parser.accept(Keyword::kToroidal)) {
       parser.fail_expected("a kind of warp");
     }
     while (accept_mapping_word(parser, warp.kind, own)) {

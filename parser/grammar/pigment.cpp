@@ -43,16 +43,12 @@ class PigmentTarget final : public PatternTarget {
   }
 
   bool accept_own_modifier(Parser& parser) override {
-    if (parser.at(Keyword::kColorMap)) {
-      // Without a pattern it means nothing, and stock accepts it.
-      if (!is_unset(m_pigment.pattern))
-        check_map_allowed(parser, m_pigment.pattern, "color_map", false);
-      parser.next();
+    // Without a pattern a color_map means nothing, and stock accepts it.
+    if ((is_unset(m_pigment.pattern) && parser.accept(Keyword::kColorMap)) ||
+        accept_map(parser, Keyword::kColorMap, m_pigment.pattern, false)) {
       m_pigment.colour_map = parse_colour_map(parser, m_context);
       m_pigment.pigment_map = nullptr;
-    } else if (parser.at(Keyword::kPigmentMap)) {
-      check_map_allowed(parser, m_pigment.pattern, "pigment_map", true);
-      parser.next();
+    } else if (accept_map(parser, Keyword::kPigmentMap, m_pigment.pattern, true)) {
       m_pigment.pigment_map =
           parse_pigment_map(parser, m_context, m_pigment.pattern.kind == PatternKind::kAverage);
       m_pigment.colour_map = nullptr;

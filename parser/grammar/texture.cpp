@@ -29,9 +29,7 @@ class TextureTarget final : public PatternTarget {
   }
 
   bool accept_own_modifier(Parser& parser) override {
-    if (!parser.at(Keyword::kTextureMap)) return false;
-    check_map_allowed(parser, *m_layer.pattern, "texture_map", true);
-    parser.next();
+    if (!accept_map(parser, Keyword::kTextureMap, *m_layer.pattern, true)) return false;
     m_layer.map =
         parse_texture_map(parser, m_context, m_layer.pattern->kind == PatternKind::kAverage);
     return true;
