@@ -59,8 +59,7 @@ class ObjectBuilder {
     std::optional<bool> shared_hollow;   ///< of all that have the same interior
     bool in_whole = false;               ///< is a part of something
     const ObjectDesc* named = nullptr;   ///< the outermost around it that comes from an identifier
-    bool on_list =
-        false;  ///< an entry of the scene's list: stock drops needless bounds there
+    bool on_list = false;  ///< an entry of the scene's list: stock drops needless bounds there
   };
 
   /// Builds an entry of the scene's list.
