@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "parser/options/option_access.h"
+#include "parser/options/output_options.h"
 #include "parser/options/sheet_options.h"
 #include "parser/options/view_options_reader.h"
 
@@ -86,29 +87,6 @@ void set_jitter(Options& o, const Given& g) {
   if (g.sign != 0 && !g.value.empty()) o.jitter_amount = cut_number(o, g, 0.0, 1.0);
   o.jitter = truth(o, g);
 }
-struct DitherWord {
-  std::string_view word;
-  core::DitherMethod method;
-};
-constexpr DitherWord kMethods[] = {
-    {"B2", core::DitherMethod::bayer2}, {"B3", core::DitherMethod::bayer3},
-    {"B4", core::DitherMethod::bayer4}, {"D1", core::DitherMethod::line},
-    {"D2", core::DitherMethod::plane},  {"FS", core::DitherMethod::floyd_steinberg}};
-
-void set_dither_type(Options& o, const Given& g) {
-  for (const auto& [word, method] : kMethods) {
-    if (!same_word(word, g.value)) continue;
-    o.dither_type = method;
-    return;
-  }
-  refuse(g, "unknown way of dithering: there are B2, B3, B4, D1, D2 and FS");
-}
-/// +THxx turns it on, -THxx off; the method is kept either way.
-void set_dither(Options& o, const Given& g) {
-  if (g.sign != 0 && !g.value.empty()) set_dither_type(o, g);
-  o.dither = truth(o, g);
-}
-
 /// As the manual has it: a command line names no commands.
 void only_in_ini(const Given& g) {
   if (g.where.empty()) refuse(g, "commands to run and what they lead to stand in INI files only");
@@ -158,76 +136,6 @@ void add_declare(Options& o, const Given& g) {
   if (!is_text) (void)number(only);
   std::erase_if(o.declares, [&](const auto& d) { return d.first == name; });
   o.declares.emplace_back(name, is_text ? value.substr(1, value.size() - 2) : value);
-}
-
-struct TypeWord {
-  std::string_view word;
-  core::FileType type;
-};
-/// Stock knows the letters alone and takes PNG for P, TIFF for T; those words are ours. The first
-/// word of a type is the one that is written.
-constexpr TypeWord kTypes[] = {{"N", core::FileType::png},
-                               {"PNG", core::FileType::png},
-                               {"TIFF", core::FileType::tiff},
-                               {"TIF", core::FileType::tiff},
-                               {"E", core::FileType::exr},
-                               {"EXR", core::FileType::exr},
-                               {"T", core::FileType::targa},
-                               {"TGA", core::FileType::targa},
-                               {"C", core::FileType::compressed_targa},
-                               {"J", core::FileType::jpeg},
-                               {"JPG", core::FileType::jpeg},
-                               {"JPEG", core::FileType::jpeg},
-                               {"P", core::FileType::ppm},
-                               {"PPM", core::FileType::ppm},
-                               {"B", core::FileType::bmp},
-                               {"BMP", core::FileType::bmp},
-                               {"H", core::FileType::radiance},
-                               {"HDR", core::FileType::radiance}};
-
-constexpr int kFloatBits = 32;
-
-void set_bits(Options& o, const Given& g, std::string_view digits) {
-  Given only = g;
-  only.value = std::string(digits);
-  std::from_chars(digits.data(), digits.data() + digits.size(), o.bits);
-  if (o.bits != kFloatBits) o.bits = static_cast<int>(cut_whole(o, only, 5, 16));
-}
-
-/// A type, and behind it bits or, of some, g for grey: N16, Pg.
-void set_type(Options& o, const Given& g) {
-  std::string_view text = g.value;
-  const std::size_t letters =
-      std::find_if(text.begin(), text.end(), [](unsigned char c) { return !std::isalpha(c); }) -
-      text.begin();
-  std::string_view word = text.substr(0, letters);
-  const std::string_view digits = text.substr(letters);
-  if (!word.empty()) {
-    if (same_word(word, "Ng") || same_word(word, "Pg")) {
-      o.grayscale = true;
-      word = word.substr(0, 1);
-    }
-    const auto* row = std::find_if(std::begin(kTypes), std::end(kTypes),
-                                   [&](const TypeWord& t) { return same_word(t.word, word); });
-    if (row == std::end(kTypes)) {
-      refuse(g,
-             "unknown output type: there are N (PNG), P (PPM), T and C (Targa), J (JPEG), B (BMP), "
-             "E (OpenEXR), "
-             "H (Radiance) and TIFF; g for grey stands behind N and P");
-    }
-    o.type = row->type;
-    o.type_given = !g.from_defaults;
-  }
-  if (!digits.empty()) set_bits(o, g, digits);
-}
-
-void set_output(Options& o, const Given& g) {
-  if (g.sign == 0) {
-    o.output_to_file = truth(o, g);
-    return;
-  }
-  o.output_to_file = g.sign == '+';
-  set_type(o, g);
 }
 
 template <bool Options::*srgb, double Options::*power>
@@ -359,7 +267,6 @@ template <auto member>
 constexpr OptionAccess kClock = kCut<member, -kAnyFloat, kAnyFloat>;
 template <auto member>
 constexpr OptionAccess kSubset = kCut<member, 0.0, double{kMostFrames}>;
-void set_file_bits(Options& o, const Given& g) { set_bits(o, g, g.value); }
 void set_display(Options&, const Given& g) {
   if (g.sign != 0 && g.value.size() > 2) refuse(g, "unknown switch");
 }
@@ -410,12 +317,6 @@ void write_width(const Options& o, std::string_view name, IniLines& out) {
 }
 void write_height(const Options& o, std::string_view name, IniLines& out) {
   if (!o.sheet_height || o.height_given) out.add(name, o.height);
-}
-void write_type(const Options& o, std::string_view name, IniLines& out) {
-  out.line(name, std::ranges::find(kTypes, o.type, &TypeWord::type)->word);
-}
-void write_dither_type(const Options& o, std::string_view name, IniLines& out) {
-  out.line(name, std::ranges::find(kMethods, o.dither_type, &DitherWord::method)->word);
 }
 template <bool Options::*srgb, double Options::*power>
 void write_gamma(const Options& o, std::string_view name, IniLines& out) {
@@ -503,12 +404,12 @@ constexpr OptionRow kTable[] = {
     {"End_Row", "ER", kEdge<&Options::end_row>, kPicture},
     {"Continue_Trace", "C", kFlag<&Options::continues>},
     {"Create_Ini", "GI", set_create_ini},
-    {"Output_to_File", "F", {set_output, write_field<&Options::output_to_file>}},
-    {"Output_File_Type", "", {set_type, write_type}, kFile},
+    {"Output_to_File", "F", {output_option::to_file, write_field<&Options::output_to_file>}},
+    {"Output_File_Type", "", {output_option::type, output_option::write_type}, kFile},
     {"Output_File_Name", "O", kText<&Options::output>},
     {"Output_Alpha", "UA", kFlag<&Options::alpha>, kLight},
-    {"Bits_Per_Color", "", {set_file_bits, write_field<&Options::bits>}, kFile},
-    {"Bits_Per_Colour", "", set_file_bits},
+    {"Bits_Per_Color", "", {output_option::bits, write_field<&Options::bits>}, kFile},
+    {"Bits_Per_Colour", "", output_option::bits},
     {"Grayscale_Output", "", kFlag<&Options::grayscale>, kFile},
     {"Compression", "", kCut<&Options::compression, 0, 255, write_positive<&Options::compression>>,
      kFile},
@@ -522,8 +423,11 @@ constexpr OptionRow kTable[] = {
      {set_gamma<&Options::display_srgb, &Options::display_gamma>,
       write_gamma<&Options::display_srgb, &Options::display_gamma>},
      kFile},
-    {"Dither", "TH", {set_dither, write_field<&Options::dither>}, kFile},
-    {"Dither_Method", "", {set_dither_type, write_dither_type}, kFile},
+    {"Dither", "TH", {output_option::dither, write_field<&Options::dither>}, kFile},
+    {"Dither_Method",
+     "",
+     {output_option::dither_method, output_option::write_dither_method},
+     kFile},
     {"Quality", "Q", kCut<&Options::quality, 0, 11>, kLight},
     {"Work_Threads", "WT", kCut<&Options::threads, 1, 512, write_positive<&Options::threads>>},
     {"Antialias", "A", {set_antialias, write_field<&Options::antialias>}, kPicture},

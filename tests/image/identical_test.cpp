@@ -17,7 +17,7 @@ class ImageIdentical : public ::testing::TestWithParam<std::size_t> {
   void expect_identical(const std::vector<std::string>& scene);
 };
 /// Which pairs these are differs from test to test, so that together they try all.
-INSTANTIATE_TEST_SUITE_P(Some, ImageIdentical, ::testing::Values(8));
+INSTANTIATE_TEST_SUITE_P(Some, ImageIdentical, ::testing::Values(4));
 INSTANTIATE_TEST_SUITE_P(Slow, ImageIdentical, ::testing::Values(1));
 
 /// The same for a test each time that it runs, another one for another test.
@@ -304,7 +304,7 @@ class ImageIdenticalOccluders : public ImageIdentical {
   }
 };
 
-INSTANTIATE_TEST_SUITE_P(Some, ImageIdenticalOccluders, ::testing::Values(8));
+INSTANTIATE_TEST_SUITE_P(Some, ImageIdenticalOccluders, ::testing::Values(4));
 INSTANTIATE_TEST_SUITE_P(Slow, ImageIdenticalOccluders, ::testing::Values(1));
 
 TEST_P(ImageIdenticalOccluders, OrdinaryCamera) { expect({"+W96", "+H72"}); }
