@@ -154,9 +154,7 @@ class Parser {
   [[noreturn]] void fail_at(const Location& where, const std::string& message);
   void warn(const std::string& message);
   void warn_at(const Location& where, const std::string& message);
-  /// A feature that is parsed and kept but not rendered yet: one warning at the end names all
-  /// that the scene really uses (the build step calls this, not the productions).
-  Location location();
+  Location location();  ///< of the next token
 
   int language_version() const;       ///< x 100: 370
   bool language_version_set() const;  ///< false: the scene has no #version yet
