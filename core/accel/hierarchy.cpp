@@ -409,7 +409,7 @@ std::size_t Hierarchy::memory() const {
   return bytes;
 }
 
-Hierarchy::Shape Hierarchy::statistics() const {
+Hierarchy::Statistics Hierarchy::statistics() const {
   const WideBvh::Statistics& s = m_impl->all->tree().statistics();
   const UniformGrid& grid = m_impl->all->grid();
   return {s.nodes, s.leaves,     m_impl->all->objects(), m_impl->infinite,

@@ -49,12 +49,12 @@ class Hierarchy {
   const Bounds& bounds() const;
   bool has_infinite() const;
   std::size_t memory() const;
-  struct Shape {
+  struct Statistics {
     std::size_t nodes = 0, leaves = 0, objects = 0, infinite = 0;
     int depth = 0;
     std::size_t cells = 0, entries = 0;  ///< of a grid, and objects in its cells
   };
-  Shape statistics() const;
+  Statistics statistics() const;
 
  private:
   struct Impl;

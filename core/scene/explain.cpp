@@ -113,7 +113,7 @@ std::string explain(const Scene& scene) {
                                   << subsurface->samples_single << " samples\n";
   }
 
-  const Hierarchy::Shape shape = scene.hierarchy().statistics();
+  const Hierarchy::Statistics shape = scene.hierarchy().statistics();
   const bool tree = shape.nodes > 0 || shape.objects == shape.infinite;
   out << (tree ? "Bounding hierarchy\n" : shape.cells > 0 ? "Grid\n" : "List\n");
   line(out, "bounded objects") << shape.objects - shape.infinite << '\n';
