@@ -60,7 +60,7 @@ template <class Count>
   count.test(caster.object);
   ShapeHit hit;
   switch (caster.kind) {
-    case LightKind::kSphere: {
+    case CasterKind::kSphere: {
       const Round& sphere = m_spheres[caster.sphere];
       double t0 = 0.0, t1 = 0.0;
       const double inverse_dd = 1.0 / dot(ray.direction, ray.direction);
@@ -70,15 +70,15 @@ template <class Count>
       const double t = t0 > t_min ? t0 : t1;
       return probe_of(t > t_min && t < t_max);
     }
-    case LightKind::kPolygon:
+    case CasterKind::kPolygon:
       return probe_of(
           static_cast<const Polygon*>(caster.shape)->Polygon::nearest(ray, t_min, t_max, hit));
-    case LightKind::kTriangle:
+    case CasterKind::kTriangle:
       return probe_of(
           static_cast<const TriangleShape*>(caster.shape)->nearest(ray, t_min, t_max, hit));
-    case LightKind::kBox:
+    case CasterKind::kBox:
       return probe_of(static_cast<const Box*>(caster.shape)->Box::nearest(ray, t_min, t_max, hit));
-    case LightKind::kAny: break;
+    case CasterKind::kAny: break;
   }
   return probe_of(caster.object->any(ray, t_min, t_max, {arena, RayKind::kShadow}));
 }

@@ -77,7 +77,7 @@ class LightBuffer {
   struct Caster {
     const Object* object;
     const Shape* shape;  ///< asked without a detour where the kind is known
-    LightKind kind;
+    CasterKind kind;
     bool opaque;
     std::uint32_t place;   ///< as Hit::place
     std::uint32_t sphere;  ///< place in m_spheres

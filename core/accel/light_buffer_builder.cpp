@@ -124,7 +124,7 @@ void LightBufferBuilder::build(LightBuffer& buffer, std::uint32_t cells) {
   for (const Placed& p : m_placed) {
     all.include(p.box);
     m_buffer->m_casters.push_back(p.caster);
-    if (p.caster.kind != LightKind::kSphere) continue;
+    if (p.caster.kind != CasterKind::kSphere) continue;
     const auto& sphere = static_cast<const Sphere&>(*p.caster.shape);
     m_buffer->m_casters.back().sphere = static_cast<std::uint32_t>(m_buffer->m_spheres.size());
     m_buffer->m_spheres.push_back({sphere.centre(), sphere.radius2()});

@@ -13,7 +13,7 @@ LightCasters::LightCasters(const std::vector<std::unique_ptr<Object>>& objects) 
     const bool opaque = object.is_opaque();
     const std::size_t place = bounds.is_finite() ? i + objects.size() : i;  // as the hierarchy's
     m_list.push_back({&object, shape, opaque ? plain_plane(object) : nullptr, bounds,
-                      static_cast<std::uint32_t>(place), light_kind(shape), opaque});
+                      static_cast<std::uint32_t>(place), caster_kind(shape), opaque});
   }
 }
 

@@ -18,7 +18,7 @@ struct LightCaster {
   const Plane* plane;   ///< an opaque plane; else null
   Bounds bounds;        ///< not empty
   std::uint32_t place;  ///< as Hit::place
-  LightKind kind;
+  CasterKind kind;
   bool opaque;
 };
 

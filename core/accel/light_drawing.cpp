@@ -74,13 +74,13 @@ void add_hull(const Shape& shape, std::vector<Vec3>& points) {
 
 }  // namespace
 
-LightKind light_kind(const Shape* shape) {
-  if (!shape) return LightKind::kAny;
+CasterKind caster_kind(const Shape* shape) {
+  if (!shape) return CasterKind::kAny;
   const std::type_info& type = typeid(*shape);
-  if (type == typeid(Sphere)) return LightKind::kSphere;
-  if (type == typeid(Polygon)) return LightKind::kPolygon;
-  if (type == typeid(Triangle) || type == typeid(SmoothTriangle)) return LightKind::kTriangle;
-  return type == typeid(Box) ? LightKind::kBox : LightKind::kAny;
+  if (type == typeid(Sphere)) return CasterKind::kSphere;
+  if (type == typeid(Polygon)) return CasterKind::kPolygon;
+  if (type == typeid(Triangle) || type == typeid(SmoothTriangle)) return CasterKind::kTriangle;
+  return type == typeid(Box) ? CasterKind::kBox : CasterKind::kAny;
 }
 
 /// Into m_points: the ends of its edges in pairs, relative to the light.
@@ -109,21 +109,21 @@ void LightDrawing::outline(const Subject& subject, const LightWindow& window, Li
                            std::vector<LightCell>& out) {
   const Shape* shape = subject.shape;
   switch (subject.kind) {
-    case LightKind::kSphere: {
+    case CasterKind::kSphere: {
       const auto& sphere = static_cast<const Sphere&>(*shape);
       return outline.sphere(sphere.centre() - m_light, sphere.radius(), window, out);
     }
-    case LightKind::kPolygon: {
+    case CasterKind::kPolygon: {
       polygon_ends(*shape);
       const Vec3 normal = shape->normal({}, {});
       return outline.flat(m_points, normal, dot(normal, m_points[0]), out);
     }
-    case LightKind::kTriangle: {
+    case CasterKind::kTriangle: {
       triangle_ends(*shape);
       const Vec3 normal = triangle_normal(*shape);
       return outline.flat(m_points, normal, dot(normal, m_points[0]), out);
     }
-    case LightKind::kBox: {
+    case CasterKind::kBox: {
       const auto& box = static_cast<const Box&>(*shape);
       const Bounds around = relative({box.lo(), box.hi()}, m_light);
       m_points.clear();
@@ -131,7 +131,7 @@ void LightDrawing::outline(const Subject& subject, const LightWindow& window, Li
       if (around.contains({})) return outline.box(around, window, out);
       return add_box(around, outline, out);
     }
-    case LightKind::kAny: break;
+    case CasterKind::kAny: break;
   }
   // Less than its box, where it is a shape that was turned.
   m_points.clear();
@@ -165,21 +165,21 @@ LightVolume LightDrawing::unknown_volume(const Subject& subject,
 
 LightVolume LightDrawing::volume(const Subject& subject, const LightVolumes& volumes) const {
   switch (subject.kind) {
-    case LightKind::kSphere: {
+    case CasterKind::kSphere: {
       const auto& sphere = static_cast<const Sphere&>(*subject.shape);
       return volumes.sphere(sphere.centre() - m_light, sphere.radius(), subject.distance);
     }
-    case LightKind::kPolygon: {
+    case CasterKind::kPolygon: {
       const Vec3 normal = subject.shape->normal({}, {});
       LightVolume volume;
       if (m_points.size() > 2 * 4) volume = unknown_volume(subject, volumes);
       volumes.polygon(m_points, normal, dot(normal, m_points[0]), subject.distance, volume);
       return volume;
     }
-    case LightKind::kTriangle:
+    case CasterKind::kTriangle:
       return volumes.triangle(m_points[0], m_points[2], m_points[4], subject.distance);
-    case LightKind::kBox:
-    case LightKind::kAny: break;
+    case CasterKind::kBox:
+    case CasterKind::kAny: break;
   }
   if (m_points.size() != 16 || !subject.shape) return unknown_volume(subject, volumes);
   const std::type_info& type = typeid(*subject.shape);

@@ -12,8 +12,8 @@
 namespace lentray::core {
 
 /// What a light buffer tests without a detour.
-enum class LightKind : std::uint8_t { kAny, kSphere, kPolygon, kTriangle, kBox };
-LightKind light_kind(const Shape* shape);
+enum class CasterKind : std::uint8_t { kAny, kSphere, kPolygon, kTriangle, kBox };
+CasterKind caster_kind(const Shape* shape);
 
 /// The box relative to the light.
 inline Bounds relative(const Bounds& b, const Vec3& light) { return {b.lo - light, b.hi - light}; }
@@ -22,11 +22,11 @@ class LightDrawing {
  public:
   explicit LightDrawing(const Vec3& light) : m_light(light) {}
 
-  /// An object, its plain_shape() and light_kind() of that, its box relative to the light.
+  /// An object, its plain_shape() and caster_kind() of that, its box relative to the light.
   struct Subject {
     const Object& object;
     const Shape* shape;
-    LightKind kind;
+    CasterKind kind;
     const Bounds& box;
     double distance;  ///< of the box
   };
