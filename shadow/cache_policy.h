@@ -51,7 +51,7 @@ class DepthPolicy {
     return {homes(query)[0], m_lights + query.light};
   }
   Keys<1> homes(const core::ShadowQuery& query) const {
-    return {query.depth == 1 ? query.light : m_lights + query.light};
+    return {query.level == 1 ? query.light : m_lights + query.light};
   }
 
  private:

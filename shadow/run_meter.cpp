@@ -17,7 +17,7 @@ class RunMeter::Tester final : public core::ShadowTester {
 
   core::Visibility visibility(const core::ShadowQuery& query) override {
     const core::Visibility seen = m_tester->visibility(query);
-    if (query.depth != 1 || query.sample != 0) return seen;
+    if (query.level != 1 || query.sample != 0) return seen;
     at(query, query.column, query.row) = {query.column, query.row, seen.blocker, true};
     if (seen.blocker) {
       if (query.column > 0) compare(kLeft, query, 1, 0, seen.blocker);

@@ -127,7 +127,7 @@ class LightLoop {
   ShadowQuery query_at(const LitPoint& lit) const {
     ShadowQuery query;
     query.ray.origin = lit.point;
-    query.depth = lit.level;
+    query.level = lit.level;
     query.tree_place = lit.tree_place;
     query.column = m_context.pixel.column;
     query.row = m_context.pixel.row;

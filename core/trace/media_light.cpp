@@ -78,7 +78,7 @@ class MediaLight::Probe final : public MediaProbe {
     };
     Receiver receiver{*this};
     const std::uint64_t key = branch_key(m_light_key, m_lit_points++);
-    m_owner.m_lights.at({place, m_level, m_state.place, m_state.inside, key, true, m_collects},
+    m_owner.m_lights.at({place, m_level, m_state.tree_place, m_state.inside, key, true, m_collects},
                         m_lists, m_owner.m_at_point, Facing{*this, distance}, receiver);
     return receiver.sum;
   }

@@ -19,9 +19,9 @@ struct RayState {
   std::uint64_t key;           ///< of its random numbers (random_key.h): its place in the ray tree
   double wavelength = kWhite;  ///< nm, of the band of light that dispersion left
   float weight = 1.0f;         ///< its share of the pixel
-  int level = 0;               ///< trace levels above it
+  int level = 0;               ///< trace levels above it; a Surface's level counts from 1
   InteriorsId inside = InteriorsId::kOpen;  ///< of the thread's table
-  std::uint32_t place = 1;                  ///< in the ray tree, for caches: see ShadowQuery
+  std::uint32_t tree_place = 1;             ///< for caches: see ShadowQuery
   RayKind kind = RayKind::kCamera;
   bool straight_on = false;    ///< went through a surface unbent: what it meets takes no level more
   std::uint8_t scattered = 0;  ///< surfaces above it whose subsurface light it is part of

@@ -147,7 +147,7 @@ void RayStepper::add_mirrors(const LayerSum& sum, bool total_reflection, const S
     onward.exponent = 1.0;
     onward.state.ray = through.ray;
     onward.state.wavelength = RayState::kWhite;
-    onward.state.place = next_place(2 * at.state.place + 1);
+    onward.state.tree_place = next_place(2 * at.state.tree_place + 1);
     onward.state.kind = RayKind::kTransmitted;
     onward.state.scattered = static_cast<std::uint8_t>(at.state.scattered + 1);
   }
@@ -159,7 +159,7 @@ void RayStepper::reflect(const Vec3& normal, const Finish& film, const Surface& 
   RayState& state = onward.state;
   state.ray.direction = normalized(mirrored(at.ray().direction, normal, at.normal));
   state.inside = at.state.inside;
-  state.place = next_place(2 * at.state.place);
+  state.tree_place = next_place(2 * at.state.tree_place);
   state.kind = reflected(at.state.kind);
   state.wavelength = at.state.wavelength;
   onward.tinted = film.irid > 0.0;
@@ -187,7 +187,7 @@ bool RayStepper::add_transmitted(const LayerSum& sum, const Surface& at, RayReco
     through.filter = filter;
     through.clear = sum.transparency;
     through.state.inside = inside;
-    through.state.place = next_place(2 * at.state.place + 1);
+    through.state.tree_place = next_place(2 * at.state.tree_place + 1);
     through.state.kind = transmitted(at.state.kind);
     return through;
   };

@@ -26,7 +26,7 @@ struct ShadowQuery {
   bool from_air = false;     ///< the ray starts at no surface: opaque ones count from its start on
   bool collects = true;      ///< what is lit there may be lit by photons
   bool volumes = true;       ///< fog and media dim the light
-  int depth = 1;             ///< trace level of the ray that is shaded, 1: camera ray
+  int level = 1;             ///< trace level of the ray that is shaded, 1: camera ray
   /// Way from the camera: 1, then 2p behind a reflection at p and 2p + 1 behind a refraction; the
   /// far ends of the tree share kTreePlaces - 1.
   std::uint32_t tree_place = 1;

@@ -213,8 +213,8 @@ Rgb SubsurfaceLight::entering(const Exit& exit, const Vec3& point, const Vec3& n
                               const LightLists& lights, std::uint64_t key) {
   Receiver receiver{point, normal, exit.ior};
   const RayState& state = exit.surface.state;
-  m_lights.at({point, exit.surface.level, state.place, InteriorsId::kOpen, key}, lights, m_known,
-              AllLights{normal}, receiver);
+  m_lights.at({point, exit.surface.level, state.tree_place, InteriorsId::kOpen, key}, lights,
+              m_known, AllLights{normal}, receiver);
   return receiver.sum;
 }
 

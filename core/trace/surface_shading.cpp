@@ -252,7 +252,7 @@ Rgb SurfaceShading::lit(const Finish& finish, const Rgb& pigment, const Vec3& no
   const Facing facing{normal, one_sided, one_sided && finish.diffuse_back == 0.0};
   Receiver receiver{
       *this, facing, finish, pigment, opacity, at, m_rules.highlights && has_highlights(finish)};
-  m_lights.at({at.point(), at.level, at.state.place, at.state.inside, at.state.key, false,
+  m_lights.at({at.point(), at.level, at.state.tree_place, at.state.inside, at.state.key, false,
                m_photons && collects_photons(at), m_rules.volumes},
               m_lights.lights_of(at.looks), known, facing, receiver);
   return receiver.sum;

@@ -395,13 +395,13 @@ TEST(UnitShadowCache, DepthKeepsMirroredPointsApart) {
   const shadow::DepthPolicy policy(*scene);
   ShadowQuery query;
   query.light = 1;
-  query.depth = 1;
+  query.level = 1;
   EXPECT_EQ(policy.homes(query), (shadow::Keys<1>{1}));
   EXPECT_EQ(policy.keys(query), (shadow::Keys<2>{1, 4}));
-  query.depth = 2;
+  query.level = 2;
   EXPECT_EQ(policy.homes(query), (shadow::Keys<1>{4}));
   EXPECT_EQ(policy.keys(query), (shadow::Keys<2>{4, 4}));
-  query.depth = 5;
+  query.level = 5;
   EXPECT_EQ(policy.homes(query)[0], 4u);
   EXPECT_EQ(policy.slots(), 6u);
 }
