@@ -8,7 +8,7 @@
 #include <cmath>
 #include <limits>
 
-#include "core/trace/integrator.h"
+#include "core/trace/follow.h"
 
 namespace lentray::core {
 

@@ -7,7 +7,6 @@
 #include "core/object/leaf.h"
 #include "core/pattern/surface_context.h"
 #include "core/trace/interior_table.h"
-#include "core/trace/shadow_tester.h"
 
 namespace lentray::core {
 
