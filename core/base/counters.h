@@ -30,7 +30,7 @@ struct Counters {
   std::uint64_t dark_pixels = 0;  ///< camera gave no ray (total internal reflection in the sheet)
   std::uint64_t antialiased_pixels = 0;  ///< that got more samples than antialiasing gives to all
   std::uint64_t bounds_tests = 0, primitive_tests = 0;
-  std::map<std::string, std::uint64_t, std::less<>> tests_by_type;  ///< filled when merging
+  std::map<std::string, std::uint64_t, std::less<>> tests_by_type;  ///< primitive_tests, by name
   std::vector<ShadowCounts> lights;                                 ///< one a light of the scene
   void merge(const Counters& other);
   void add_tests(std::string_view type, std::uint64_t number);

@@ -13,7 +13,8 @@ class Texture;
 struct Interior;
 struct LightSelection;
 
-/// Which objects a ray passes by unseen.
+/// Which objects a ray passes by unseen. The rule is written twice: unseen_by() in core/accel/hierarchy.cpp
+/// for the scene's objects, Csg::is_unseen() for parts of CSG, where it is another in places.
 enum class RayKind : std::uint8_t {
   kCamera,       ///< not yet through anything; skips no_image
   kTransmitted,  ///< gone on through surfaces alone; skips no_image

@@ -22,7 +22,7 @@ struct Hit {
   const Object* object = nullptr;  ///< the object of the scene's list that it belongs to
   ShapeHit shape;                  ///< in the leaf's space
   std::uint32_t place = 0;         ///< where all hits are asked for: infinite objects, then the
-                                   ///< others, in the order of the scene
+                                   ///< others, in the order of the scene; a CSG's own meanwhile
 };
 
 /// Scratch lists of hits for nested CSG; one a thread; lists are reused, never shrunk.

@@ -1,5 +1,6 @@
-// The compiled scene: immutable, flat, everything the kernel asks while rendering.
-// World space. Built once (parser/compile), then shared const by all threads.
+// The compiled scene: flat, everything the kernel asks while rendering.
+// World space. Built once (parser/compile), then shared const by all threads; between pictures its light
+// buffers may be made anew.
 #pragma once
 
 #include <cstdint>

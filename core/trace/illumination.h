@@ -19,8 +19,8 @@ struct Illumination {
   std::shared_ptr<const PhotonLight> photons{};
 };
 
-/// What the context's illumination gives to surfaces, which then ask it; null: nothing. It lives as long as
-/// rays are traced.
+/// What the context's illumination gives to surfaces; null: nothing. It becomes the context's `indirect`,
+/// which surfaces ask, and lives as long as rays are traced.
 std::unique_ptr<IndirectLight> make_indirect_light(ThreadContext& context, ShadowTester& shadows);
 
 /// The photons that light surfaces and media; null: there are none.
