@@ -1,6 +1,6 @@
 // A camera whose rays a normal statement bends: `normal` of a camera. World space.
 // Source: reference manual 3.7, "Camera Ray Perturbation"; compared with stock by
-// image.bent_camera.
+// tests/image/mesh_camera_test.cpp.
 #pragma once
 
 #include <memory>

@@ -1,7 +1,7 @@
 // Cameras whose picture is not flat: fisheye, ultra_wide_angle, omnimax, panoramic, spherical and
 // the four kinds of cylinder. Frames as given by the scene: right, up and direction need not be
 // perpendicular. Pixels that such a camera does not see have no ray.
-// Source: reference manual 3.7, "Types of Projection"; rays compared with stock by image.rays.
+// Source: reference manual 3.7, "Types of Projection"; rays compared with stock by tests/image/rays_test.cpp.
 #pragma once
 
 #include <optional>

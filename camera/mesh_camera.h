@@ -4,7 +4,7 @@
 // coordinates. Several rays a pixel are for distribution 0: stock's others have one, or one repeated.
 // As in stock 3.7, which renders row 0 twice and every other one a row later (3.8 does
 // not): row k sees what row k - 1 should.
-// Source: reference manual 3.7, "Mesh Camera"; compared with stock by image.mesh_camera.
+// Source: reference manual 3.7, "Mesh Camera"; compared with stock by tests/image/mesh_camera_test.cpp.
 #pragma once
 
 #include <array>

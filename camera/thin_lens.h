@@ -5,7 +5,7 @@
 // plane parallel to it.
 // Immutable, any number of threads. Errors: CameraError.
 // Source: reference manual 3.7, "Focal Blur"; the disc's size, its plane and the distance in focus
-// were measured on stock and are compared with it by image.focal_blur.
+// were measured on stock and are compared with it by tests/image/focal_blur_test.cpp.
 #pragma once
 
 #include <optional>

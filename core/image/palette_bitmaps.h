@@ -1,6 +1,6 @@
 // Palette entries of the pixels of BMP files, from their bytes. Errors: none, files that are
 // something else, have another size or end early have no entries. Threads: any number.
-// Source: Microsoft's description of bitmaps; compared with stock by image.palette_files.
+// Source: Microsoft's description of bitmaps; compared with stock by tests/image/palette_files_test.cpp.
 #pragma once
 
 #include <cstdint>

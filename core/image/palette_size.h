@@ -1,6 +1,6 @@
 // How many entries the palette of a picture file has, without its pixels. Errors: none, files that cannot be read
 // have no palette. Threads: any number. Source: the formats of PNG, GIF, BMP, TIFF and TARGA; compared with stock by
-// image.palette_files.
+// tests/image/palette_files_test.cpp.
 #pragma once
 
 #include <filesystem>

@@ -1,7 +1,7 @@
 // Palettes of TIFF files: which entry a pixel has, and the entries' colours of 16 bits, of which OpenImageIO keeps
 // the upper half alone. Errors: none, files that are something else or end early have no entries and stay as they
 // were read (core/image/reader.h complains). Threads: any number.
-// Source: TIFF specification 6.0, sections 2 and 5; compared with stock by image.tiff_files.
+// Source: TIFF specification 6.0, sections 2 and 5; compared with stock by tests/image/tiff_files_test.cpp.
 #pragma once
 
 #include <cstdint>

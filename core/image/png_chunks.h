@@ -1,5 +1,5 @@
 // Chunks of PNG files, from the heads of the file alone. Errors: none, files that cannot be read have no
-// chunks. Threads: any number. Source: the format of PNG; compared with stock by image.picture_gamma.
+// chunks. Threads: any number. Source: the format of PNG; compared with stock by tests/image/picture_gamma_test.cpp.
 #pragma once
 
 #include <cstdint>

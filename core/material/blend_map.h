@@ -3,7 +3,7 @@
 // last; of equal values the first is met from below and the last from above; a value equal to an
 // entry's is that entry alone. Values are single precision.
 // Copies share the entries: a map that many pigments have is held once.
-// Source: reference manual 3.7, "Color Maps"; compared with stock by image.patterns.
+// Source: reference manual 3.7, "Color Maps"; compared with stock by tests/image/patterns_test.cpp.
 #pragma once
 
 #include <algorithm>

@@ -1,6 +1,6 @@
 // The texture of a blob whose elements have textures of their own: at a point those of all elements
 // that reach it, by the strength of their fields. World space. Immutable.
-// Source: reference manual 3.7, "Blob"; compared with stock by image.shapes.
+// Source: reference manual 3.7, "Blob"; compared with stock by tests/image/shapes_test.cpp.
 #pragma once
 
 #include <vector>

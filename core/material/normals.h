@@ -1,6 +1,6 @@
 // The kinds of normal perturbation: displacements of their own, slopes of a pattern, and maps.
 // Source: reference manual 3.7, "Normal", "Slope Maps", "Normal Maps"; compared with stock by
-// image.normals.
+// tests/image/normals_test.cpp.
 #pragma once
 
 #include <memory>

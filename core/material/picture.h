@@ -1,7 +1,7 @@
 // A picture laid over space: image_map, image_pattern, bump_map and material_map share it.
 // Pixels count from the upper left; the picture fills the unit square of x and y, y upwards, or is
 // wrapped about the y axis. Immutable.
-// Source: reference manual 3.7, "Image Map"; compared with stock by image.pictures.
+// Source: reference manual 3.7, "Image Map"; compared with stock by tests/image/pictures_test.cpp.
 #pragma once
 
 #include <array>

@@ -1,6 +1,6 @@
 // The kinds of pigment. Points are in the space of what holds the pigment: the world, or the space
 // of the pattern whose map it is an entry of. Immutable.
-// Source: reference manual 3.7, "Pigment"; compared with stock by image.patterns.
+// Source: reference manual 3.7, "Pigment"; compared with stock by tests/image/patterns_test.cpp.
 #pragma once
 
 #include <memory>

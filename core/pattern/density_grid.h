@@ -1,6 +1,6 @@
 // density_file: a grid of densities that fills the unit cube, repeated nowhere. Space: the
 // pattern's. Immutable, any number of threads.
-// Source: reference manual 3.7, "Density File"; compared with stock by image.surface_patterns.
+// Source: reference manual 3.7, "Density File"; compared with stock by tests/image/surface_patterns_test.cpp.
 #pragma once
 
 #include <array>

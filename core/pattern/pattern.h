@@ -1,6 +1,6 @@
 // A pattern: a number for each point of space, 0..1 or a whole number (0, 1, 2 for checker and its
 // kin). Space: the pattern's own, unit cells. Immutable, any number of threads.
-// Source: reference manual 3.7, "Patterns"; values compared with stock by image.patterns.
+// Source: reference manual 3.7, "Patterns"; values compared with stock by tests/image/patterns_test.cpp.
 #pragma once
 
 #include <cmath>

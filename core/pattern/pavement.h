@@ -4,7 +4,7 @@
 // Space: the pattern's own, y does not matter. Values: 0 inside a tile, rising to 1 at its edge.
 // Immutable, any number of threads, no allocation after it is made.
 // Source: reference manual 3.7, "Pavement Pattern"; geometry and values compared with stock by
-// image.pavements.
+// tests/image/pavements_test.cpp.
 #pragma once
 
 #include "core/pattern/pattern.h"

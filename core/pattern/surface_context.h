@@ -1,7 +1,7 @@
 // What a texture may ask beyond the point: of the surface it lies on and the ray that sees it.
 // World space. Made by the renderer for each shaded point; one thread.
 // Source: reference manual 3.7, "UV Mapping", "Slope", "AOI"; compared with stock by
-// image.surface_patterns.
+// tests/image/surface_patterns_test.cpp.
 #pragma once
 
 #include "core/base/vec3.h"

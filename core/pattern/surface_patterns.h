@@ -1,6 +1,6 @@
 // Patterns that follow the surface they lie on. The point is the pattern's, the surface the
 // world's. In empty space they are 0. Immutable, any number of threads.
-// Source: reference manual 3.7, "Slope", "AOI"; compared with stock by image.surface_patterns.
+// Source: reference manual 3.7, "Slope", "AOI"; compared with stock by tests/image/surface_patterns_test.cpp.
 #pragma once
 
 #include "core/pattern/pattern.h"

@@ -3,7 +3,7 @@
 // of tiles, and those of kind k go from k/L in the middle to (k+1)/L at the edge. Immutable, any
 // number of threads, no allocation after it is made.
 // Source: reference manual 3.7, "Tiling Pattern"; geometry and values compared with stock by
-// image.tilings.
+// tests/image/tilings_test.cpp.
 #pragma once
 
 #include "core/pattern/pattern.h"

@@ -1,6 +1,6 @@
 // What antialiasing is asked for, and when two colours differ.
 // Source: reference manual 3.7, "Antialiasing Options"; the sum over the channels, "at least the
-// threshold" and the two gammas measured on stock by image.antialiasing.
+// threshold" and the two gammas measured on stock by tests/image/antialiasing_test.cpp.
 #pragma once
 
 #include <cmath>

@@ -5,7 +5,7 @@
 // The aperture's plane has its own units: the disc is 1 wide about the origin, x and y are
 // -1/2..1/2. A FocalBlur is immutable, any number of threads; a BlurEstimate is one sample's.
 // Source: reference manual 3.7, "Focal Blur"; the points, the batches and the rule by which rays
-// end early were measured on stock and are compared with it by image.focal_blur.
+// end early were measured on stock and are compared with it by tests/image/focal_blur_test.cpp.
 #pragma once
 
 #include <array>

@@ -1,6 +1,6 @@
 // What fills the space between surfaces: fogs, rainbows and media. World space, distances in scene units,
 // angles in radians. Immutable.
-// Source: reference manual 3.7, "Fog", "Rainbow"; compared with stock by image.atmosphere.
+// Source: reference manual 3.7, "Fog", "Rainbow"; compared with stock by tests/image/atmosphere_test.cpp.
 #pragma once
 
 #include <memory>

@@ -2,7 +2,7 @@
 // their corners. The patch is halved along u and v until a piece is flat enough or u_steps and
 // v_steps are used up; neighbours that were not halved alike may leave cracks.
 // Space: object, or world once baked: flatness and the blending of normals count there.
-// Source: reference manual 3.7, "Bicubic Patch"; compared with stock by image.shapes.
+// Source: reference manual 3.7, "Bicubic Patch"; compared with stock by tests/image/shapes_test.cpp.
 #pragma once
 
 #include <array>

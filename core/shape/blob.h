@@ -1,6 +1,6 @@
 // blob: where the fields of spheres and cylinders with round ends add up to a threshold. A field is
 // strength (1 - (distance / radius)^2)^2, nothing beyond the radius. Space: object.
-// Source: reference manual 3.7, "Blob"; compared with stock by image.shapes.
+// Source: reference manual 3.7, "Blob"; compared with stock by tests/image/shapes_test.cpp.
 #pragma once
 
 #include <algorithm>

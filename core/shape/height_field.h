@@ -1,7 +1,7 @@
 // height_field: a grid of heights as pairs of triangles over the unit square of x and z, heights
 // 0..1. Below the water level there is nothing. No sides and no floor.
 // Space: object, or any that a transform leads to. Grid space: one cell a unit, heights 0..65535.
-// Source: reference manual 3.7, "Height Field"; compared with stock by image.shapes.
+// Source: reference manual 3.7, "Height Field"; compared with stock by tests/image/shapes_test.cpp.
 #pragma once
 
 #include <array>

@@ -2,7 +2,7 @@
 // Found by halving the way through the container, given that the function is never steeper than
 // `max_gradient`, down to pieces shorter than `accuracy`: scenes are tuned to this search.
 // Space: object.
-// Source: reference manual 3.7, "Isosurface"; compared with stock by image.shapes.
+// Source: reference manual 3.7, "Isosurface"; compared with stock by tests/image/shapes_test.cpp.
 #pragma once
 
 #include <memory>

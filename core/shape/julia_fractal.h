@@ -5,7 +5,7 @@
 // step and where the estimate errs; scenes are tuned to it.
 // Space: object. Throws std::invalid_argument for a function that quaternions do not have.
 // Source: reference manual 3.7, "Julia Fractal"; Hart, Sandin, Kauffman, "Ray Tracing Deterministic
-// 3-D Fractals", 1989; compared with stock by image.julia.
+// 3-D Fractals", 1989; compared with stock by tests/image/julia_test.cpp.
 #pragma once
 
 #include <array>

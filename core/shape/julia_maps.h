@@ -2,7 +2,7 @@
 // stays within the sphere, how far a ray may walk from a point, and where the surface faces.
 // Space: the shape's own; lengths of directions are 1.
 // Source: reference manual 3.7, "Julia Fractal"; which power of the derivative is taken, and
-// how steps are chosen, are stock's, measured by image.julia.
+// how steps are chosen, are stock's, measured by tests/image/julia_test.cpp.
 #pragma once
 
 #include <algorithm>

@@ -1,6 +1,6 @@
 // lathe: curves of line, quadratic and cubic pieces turned about the y axis. Space: object; of the
 // pieces u is the distance from the axis, v the height.
-// Source: reference manual 3.7, "Lathe"; compared with stock by image.shapes.
+// Source: reference manual 3.7, "Lathe"; compared with stock by tests/image/shapes_test.cpp.
 #pragma once
 
 #include <memory>

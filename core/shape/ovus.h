@@ -1,6 +1,6 @@
 // ovus: an egg of two spheres and the inner part of a spindle torus that touches both smoothly.
 // Space: object; the lower sphere about the origin, the upper one about its top.
-// Source: reference manual 3.7, "Ovus"; compared with stock by image.shapes.
+// Source: reference manual 3.7, "Ovus"; compared with stock by tests/image/shapes_test.cpp.
 #pragma once
 
 #include "core/shape/shape.h"

@@ -4,7 +4,7 @@
 // lies lower by the accuracy on each axis, and only its first point is known.
 // The boxes of the first halvings, which hold for every ray, are kept.
 // Space: object.
-// Source: reference manual 3.7, "Parametric"; compared with stock by image.parametric.
+// Source: reference manual 3.7, "Parametric"; compared with stock by tests/image/parametric_test.cpp.
 #pragma once
 
 #include <array>

@@ -1,6 +1,6 @@
 // poly, cubic, quartic: surfaces of a polynomial of order 2 to 35 in x, y, z. Space: object.
 // Inside is where the polynomial is below 0.0001.
-// Source: reference manual 3.7, "Poly, Cubic and Quartic"; compared with stock by image.shapes.
+// Source: reference manual 3.7, "Poly, Cubic and Quartic"; compared with stock by tests/image/shapes_test.cpp.
 #pragma once
 
 #include <array>

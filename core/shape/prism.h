@@ -1,6 +1,6 @@
 // An outline swept through space: prism { ... } along y (straight or towards a point), and the
 // glyphs of text { ... } along z. Space: object.
-// Source: reference manual 3.7, "Prism", "Text"; compared with stock by image.shapes.
+// Source: reference manual 3.7, "Prism", "Text"; compared with stock by tests/image/shapes_test.cpp.
 #pragma once
 
 #include <memory>

@@ -1,5 +1,5 @@
 // sphere_sweep: what a sphere sweeps whose centre and radius follow a spline. Space: object.
-// Source: reference manual 3.7, "Sphere Sweep"; compared with stock by image.shapes.
+// Source: reference manual 3.7, "Sphere Sweep"; compared with stock by tests/image/shapes_test.cpp.
 //
 // On a ray p + t d (d unit) the sphere of parameter u is met at t = -b -+ sqrt(b^2 - c), with
 // b = d.(p - C(u)) and c = |p - C(u)|^2 - r(u)^2. The sweep's surface is where t is extreme over u:

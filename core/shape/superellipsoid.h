@@ -1,6 +1,6 @@
 // superellipsoid { <e, n> }: ((|x|^(2/e) + |y|^(2/e))^(e/n) + |z|^(2/n)) = 1, within the cube of
 // half-size 1. Space: object.
-// Source: reference manual 3.7, "Superquadric Ellipsoid"; compared with stock by image.shapes.
+// Source: reference manual 3.7, "Superquadric Ellipsoid"; compared with stock by tests/image/shapes_test.cpp.
 #pragma once
 
 #include <array>

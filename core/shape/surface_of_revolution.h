@@ -1,6 +1,6 @@
 // sor: the square of the distance from the y axis is a cubic of the height, piece by piece.
 // Space: object. Source: reference manual 3.7, "Surface of Revolution"; compared with stock by
-// image.shapes.
+// tests/image/shapes_test.cpp.
 #pragma once
 
 #include <vector>

@@ -1,6 +1,6 @@
 // Transfer curves: how stored values, colours of the scene and linear light become each other.
 // Single precision throughout, as stock. Threads: any number.
-// Source: reference manual 3.7, "Gamma", IEC 61966-2-1; compared with stock by image.picture_gamma and
+// Source: reference manual 3.7, "Gamma", IEC 61966-2-1; compared with stock by tests/image/picture_gamma_test.cpp and
 // tests/compat/language_expressions_test.cpp.
 #pragma once
 

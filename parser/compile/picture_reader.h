@@ -1,6 +1,6 @@
 // Images of descriptions -> the kernel's pictures: files are decoded to the scene's working space,
 // functions are evaluated. Internal to parser/compile.
-// Source: reference manual 3.7, "Image Map", "Gamma"; compared with stock by image.pictures.
+// Source: reference manual 3.7, "Image Map", "Gamma"; compared with stock by tests/image/pictures_test.cpp.
 #pragma once
 
 #include <cstdint>

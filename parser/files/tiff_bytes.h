@@ -1,5 +1,5 @@
 // TIFF files as stock sees them: of 8 bits a value but for palettes, and colours multiplied by their alpha.
-// Source: reference manual 3.7, "Image Map"; compared with stock by image.tiff_files.
+// Source: reference manual 3.7, "Image Map"; compared with stock by tests/image/tiff_files_test.cpp.
 #pragma once
 
 #include <filesystem>

@@ -1,5 +1,5 @@
 // The heights of a height_field from its picture or function.
-// Source: reference manual 3.7, "Height Field"; rounding compared with stock by image.shapes.
+// Source: reference manual 3.7, "Height Field"; rounding compared with stock by tests/image/shapes_test.cpp.
 #pragma once
 
 #include <memory>

@@ -1,5 +1,5 @@
 // The control points of prism and lathe -> pieces of curves. Plane coordinates as written.
-// Source: reference manual 3.7, "Prism", "Lathe"; compared with stock by image.shapes.
+// Source: reference manual 3.7, "Prism", "Lathe"; compared with stock by tests/image/shapes_test.cpp.
 #pragma once
 
 #include <vector>

@@ -1,5 +1,5 @@
 // The spheres of a sphere_sweep -> the pieces of its path.
-// Source: reference manual 3.7, "Sphere Sweep"; compared with stock by image.shapes.
+// Source: reference manual 3.7, "Sphere Sweep"; compared with stock by tests/image/shapes_test.cpp.
 #pragma once
 
 #include <vector>

@@ -1,6 +1,6 @@
 // text { ttf ... }: the outlines and places of its glyphs. One em is one unit, baseline on the x axis,
 // the first glyph's left edge at x = 0. Space: object.
-// Source: reference manual 3.7, "Text"; spacing compared with stock by image.shapes.
+// Source: reference manual 3.7, "Text"; spacing compared with stock by tests/image/shapes_test.cpp.
 #pragma once
 
 #include <map>

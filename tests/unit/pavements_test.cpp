@@ -1,5 +1,5 @@
 // Pavements: how many there are, height, numbers beyond. Their values are compared with stock by
-// image.pavements.
+// tests/image/pavements_test.cpp.
 #include <gtest/gtest.h>
 
 #include <limits>

@@ -1,4 +1,4 @@
-// Tilings: levels, periods, symmetries. Their values are compared with stock by image.tilings.
+// Tilings: levels, periods, symmetries. Their values are compared with stock by tests/image/tilings_test.cpp.
 #include <gtest/gtest.h>
 
 #include <algorithm>
