@@ -1,5 +1,5 @@
 // Tokens: what the lexer makes of a source text. Small and trivially copyable; names and strings
-// are ids into the NameTable / StringPool of the interpreter, so comparing names compares ints.
+// are ids into the NameTable of the interpreter, so comparing names compares ints.
 // Keyword and Punct are closed sets; the reserved words live in one table file, keywords.def.
 #pragma once
 
@@ -62,7 +62,7 @@ enum class TokenKind : std::uint8_t {
   kPunct,       ///< punct
   kIdentifier,  ///< name
   kNumber,      ///< number
-  kString,      ///< name: id into the string pool
+  kString,      ///< name: id of its text
   kDirective,   ///< # and its word, keyword; only inside the token stream
   kBad,         ///< what no token starts with, or an unterminated string; fails when it is read
 };
