@@ -2,8 +2,6 @@
 // in one call, for the programs and the tests.
 #pragma once
 
-#include <memory>
-#include <optional>
 #include <string>
 
 #include "core/scene/scene.h"

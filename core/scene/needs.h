@@ -3,7 +3,6 @@
 // means certainly absent.
 #pragma once
 
-#include <cstdint>
 #include <map>
 #include <string>
 #include <string_view>

@@ -3,7 +3,6 @@
 // Source: reference manual 3.7, "Lathe"; compared with stock by tests/image/shapes_test.cpp.
 #pragma once
 
-#include <memory>
 #include <vector>
 
 #include "core/shape/outline.h"

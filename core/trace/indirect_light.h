@@ -2,7 +2,6 @@
 // Source: reference manual 3.7, "Radiosity".
 #pragma once
 
-#include <cstddef>
 #include <cstdint>
 
 #include "core/base/color.h"

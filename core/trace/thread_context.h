@@ -2,8 +2,6 @@
 // rays lie in. One a thread; it outlives what is made with it.
 #pragma once
 
-#include <cstdint>
-
 #include "core/base/counters.h"
 #include "core/base/pixel.h"
 #include "core/light/area_light.h"

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <memory>
-#include <string>
 
 #include "core/shape/mesh.h"
 #include "core/shape/shape.h"
