@@ -1,6 +1,7 @@
 // A crossing of a ray with an object of the scene, and a thread's lists of crossings. World space.
 #pragma once
 
+#include <cassert>
 #include <cstddef>
 #include <cstdint>
 #include <memory>
@@ -29,7 +30,10 @@ struct Hit {
 class HitArena {
  public:
   std::vector<Hit>& acquire();
-  void release() { --m_used; }
+  void release() {
+    assert(m_used > 0);
+    --m_used;
+  }
   ShapeHits shape_hits;
 
  private:

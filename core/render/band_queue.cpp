@@ -1,6 +1,7 @@
 #include "core/render/band_queue.h"
 
 #include <algorithm>
+#include <cassert>
 
 namespace lentray::core {
 namespace {
@@ -81,6 +82,7 @@ void BandQueue::begin_stage(Band& band) {
 void BandQueue::finish(const Job& job) {
   std::unique_lock lock(m_mutex);
   Band& band = *job.band;
+  assert(band.done < band.taken && job.stage == band.stage);
   if (++band.done < band.jobs) return;
   ++band.stage;
   begin_stage(band);

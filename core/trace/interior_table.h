@@ -5,6 +5,7 @@
 // Source: reference manual 3.7, "Interior"; the order of nested and overlapping ones is stock's.
 #pragma once
 
+#include <cassert>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -40,9 +41,15 @@ class InteriorTable {
 
   std::size_t size(InteriorsId id) const { return stack(id).size; }
   /// The innermost. Not in the open.
-  const InteriorEntry& back(InteriorsId id) const { return stack(id).entry; }
+  const InteriorEntry& back(InteriorsId id) const {
+    assert(id != InteriorsId::kOpen);
+    return stack(id).entry;
+  }
   /// All but the innermost. Not in the open.
-  InteriorsId around(InteriorsId id) const { return stack(id).around; }
+  InteriorsId around(InteriorsId id) const {
+    assert(id != InteriorsId::kOpen);
+    return stack(id).around;
+  }
   bool contains(InteriorsId id, std::uintptr_t key) const {
     for (; id != InteriorsId::kOpen; id = around(id)) {
       if (back(id).key == key) return true;
