@@ -228,10 +228,9 @@ SheetView::SheetView(const Lenticular& lenticular, std::uint32_t view)
 
 bool SheetView::ray(double column, double row, core::Ray& ray) const {
   if (m_lenticular.sheet().is_slanted()) {
-    core::PixelPlace place;
-    place.column = static_cast<std::int32_t>(std::floor(column));
-    place.row = static_cast<std::int32_t>(std::floor(row));
-    return ray_at(place, ray);
+    return ray_at({.column = static_cast<std::int32_t>(std::floor(column)),
+                   .row = static_cast<std::int32_t>(std::floor(row))},
+                  ray);
   }
   const double last = static_cast<double>(width() - 1);
   const double lens = std::clamp(std::floor(column), 0.0, last);
