@@ -14,7 +14,7 @@ class Bent final : public Camera {
  public:
   /// The pattern lies over the picture, which is 1 x 1 about the origin of its x-y plane.
   Bent(std::unique_ptr<Camera> straight, std::shared_ptr<const core::NormalPerturbation> normal)
-      : m_straight(std::move(straight)), m_normal(std::move(normal)) {}
+      : Camera(*straight), m_straight(std::move(straight)), m_normal(std::move(normal)) {}
   bool ray(double column, double row, core::Ray& ray) const override;
   bool ray_at(const core::PixelPlace& place, core::Ray& out) const override;
   const core::FocalBlur* blur() const override { return m_straight->blur(); }
@@ -23,9 +23,6 @@ class Bent final : public Camera {
   core::PixelLattice lattice(std::uint32_t width) const override {
     return m_straight->lattice(width);
   }
-  std::string_view name() const override { return m_straight->name(); }
-  std::uint32_t width() const override { return m_straight->width(); }
-  std::uint32_t height() const override { return m_straight->height(); }
   Properties describe() const override { return m_straight->describe(); }
 
  private:

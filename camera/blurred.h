@@ -13,7 +13,7 @@ class Blurred final : public Camera {
  public:
   Blurred(std::shared_ptr<const Camera> sharp, const ThinLens& lens,
           const core::FocalBlurOptions& samples)
-      : m_sharp(std::move(sharp)), m_lens(lens), m_blur(samples) {}
+      : Camera(*sharp), m_sharp(std::move(sharp)), m_lens(lens), m_blur(samples) {}
   /// Through the middle of the aperture.
   bool ray(double column, double row, core::Ray& ray) const override {
     return m_sharp->ray(column, row, ray);
@@ -33,9 +33,6 @@ class Blurred final : public Camera {
     return true;
   }
   core::PixelLattice lattice(std::uint32_t width) const override { return m_sharp->lattice(width); }
-  std::string_view name() const override { return m_sharp->name(); }
-  std::uint32_t width() const override { return m_sharp->width(); }
-  std::uint32_t height() const override { return m_sharp->height(); }
   Properties describe() const override { return m_sharp->describe(); }
 
  private:

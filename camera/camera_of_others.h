@@ -10,7 +10,9 @@ namespace lentray::camera {
 class CameraOfOthers : public Camera {
  public:
   /// `one`: of the others, which are alike.
-  explicit CameraOfOthers(const Camera& one) : m_one(one) {}
+  CameraOfOthers(const Camera& one, std::string_view name, std::uint32_t width,
+                 std::uint32_t height)
+      : Camera(name, width, height), m_one(one) {}
 
   bool ray(double column, double row, core::Ray& ray) const override {
     core::PixelPlace place;

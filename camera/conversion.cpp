@@ -4,8 +4,7 @@
 #include <cmath>
 
 #include "camera/depth_budget.h"
-#include "camera/orthographic.h"
-#include "camera/perspective.h"
+#include "camera/projected.h"
 #include "camera/sheet_collisions.h"
 #include "camera/sheet_report.h"
 #include "camera/slanted_lenticular.h"
@@ -52,7 +51,7 @@ std::optional<double> median_depth(const Projection& p, const Vec3& normal,
                                    const SceneProbe& probe) {
   constexpr std::uint32_t kColumns = 32, kRows = 24;
   if (!probe) return std::nullopt;
-  const Perspective camera(p, kColumns, kRows);
+  const Projected camera(ProjectedKind::kPerspective, p, {}, kColumns, kRows);
   std::vector<double> depths;
   for (std::uint32_t row = 0; row < kRows; ++row) {
     for (std::uint32_t column = 0; column < kColumns; ++column) {

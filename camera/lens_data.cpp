@@ -20,12 +20,7 @@ double half_sine(double pitch, double thickness) {
 
 void check_length(const std::optional<double>& value, const std::string& name,
                   const std::vector<std::string>& about) {
-  constexpr double kLeast = 1e-6, kMost = 1e6;
-  if (!value) return;
-  if (!(*value > 0.0)) throw CameraError("the " + name + " must be greater than 0 mm", about);
-  if (!(*value >= kLeast && *value <= kMost)) {
-    throw CameraError("the " + name + " must be 1e-6 to 1e6 mm", about);
-  }
+  check_range(value, "the " + name + " must be ", " mm", 1e-6, 1e6, "1e-6 to 1e6 mm", about);
 }
 
 void check(const LensData& data) {
@@ -33,13 +28,8 @@ void check(const LensData& data) {
   check_length(data.focal_length, "lens focal length", {"Lens_Focal_Length"});
   check_length(data.thickness, "lens thickness", {"Lens_Thickness"});
   check_length(data.radius, "lens radius", {"Lens_Radius"});
-  if (data.lpi) {
-    if (!(*data.lpi > 0.0))
-      throw CameraError("the number of lenses an inch must be greater than 0", {"Lens_LPI"});
-    if (!(*data.lpi >= 1e-4 && *data.lpi <= 1e7)) {
-      throw CameraError("the number of lenses an inch must be 1e-4 to 1e7", {"Lens_LPI"});
-    }
-  }
+  check_range(data.lpi, "the number of lenses an inch must be ", "", 1e-4, 1e7, "1e-4 to 1e7",
+              {"Lens_LPI"});
   if (data.ior) {
     if (!(*data.ior >= 1.0))
       throw CameraError("the refractive index of the lens must be at least 1", {"Lens_IOR"});
@@ -246,6 +236,14 @@ void LensData::override_by(const LensData& other) {
   if (other.radius) radius = other.radius;
   if (other.ior) ior = other.ior;
   if (other.angle) angle = other.angle;
+}
+
+void check_range(const std::optional<double>& value, const std::string& must, const char* unit,
+                 double least, double most, const char* range,
+                 const std::vector<std::string>& about) {
+  if (!value) return;
+  if (!(*value > 0.0)) throw CameraError(must + "greater than 0" + unit, about);
+  if (!(*value >= least && *value <= most)) throw CameraError(must + range, about);
 }
 
 SolvedLens solve(const LensData& data) { return LensSolver(data).solve(); }

@@ -63,6 +63,12 @@ inline constexpr double kLensDataTolerance = 0.02;
 /// pitches. Data that contradict each other are an error with both figures.
 SolvedLens solve(const LensData& data);
 
+/// Throws unless the value, if there is one, is greater than 0 and `least` to `most`: "<must>greater than 0<unit>", and
+/// "<must><range>".
+void check_range(const std::optional<double>& value, const std::string& must, const char* unit,
+                 double least, double most, const char* range,
+                 const std::vector<std::string>& about);
+
 /// The angle in the air, degrees, between the outermost rays through a lens's vertex; 180 where they
 /// are totally reflected.
 double viewing_angle(double pitch, double thickness, double ior);

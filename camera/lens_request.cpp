@@ -63,17 +63,10 @@ void LensRequest::override_by(const LensRequest& other) {
 namespace {
 
 void check_dpi(const std::optional<double>& dpi) {
-  constexpr double kMost = 1e9;
-  if (!dpi) return;
-  if (!(*dpi > 0.0))
-    throw CameraError("the print's resolution must be greater than 0 pixels an inch",
-                      {"Print_DPI"});
-  if (!(*dpi <= kMost)) {
-    throw CameraError("the print's resolution must be 1e9 pixels an inch at most", {"Print_DPI"});
-  }
+  check_range(dpi, "the print's resolution must be ", " pixels an inch", 0.0, 1e9,
+              "1e9 pixels an inch at most", {"Print_DPI"});
 }
 
-/// Whatever a lens is made of.
 void check(const LensParameters& lens) {
   const std::string why = complaint(lens);
   if (why.empty()) return;

@@ -19,8 +19,8 @@ double across_lenses(const LensParameters& lens, const SheetPlacement& place) {
 
 Lenticular::Lenticular(const LensParameters& lens, const SheetPlacement& placement,
                        std::uint32_t width, std::uint32_t height)
-    : m_sheet(lens, width, across_lenses(lens, placement)), m_place(placement), m_height(height),
-      m_scale(placement.width / m_sheet.sheet_width()),
+    : Camera("lenticular", width, height), m_sheet(lens, width, across_lenses(lens, placement)),
+      m_place(placement), m_scale(placement.width / m_sheet.sheet_width()),
       m_inverse_distance(1.0 / (lens.view_distance * m_scale)) {
   if (m_place.front * m_inverse_distance > 1.0) {
     m_clamped = m_place.front * m_inverse_distance > 1.0 + 1e-9;  // more than rounding
@@ -221,18 +221,18 @@ std::uint32_t view_width(const LensSheet& sheet, std::uint32_t view, std::uint32
 }
 
 SheetView::SheetView(const Lenticular& lenticular, std::uint32_t view)
-    : CameraOfOthers(lenticular), m_lenticular(lenticular), m_view(view),
-      m_views(usual_views(lenticular.sheet())),
-      m_width(view_width(lenticular.sheet(), view, m_views)) {}
+    : CameraOfOthers(lenticular, lenticular.name(),
+                     view_width(lenticular.sheet(), view, usual_views(lenticular.sheet())),
+                     lenticular.height()),
+      m_lenticular(lenticular), m_view(view), m_views(usual_views(lenticular.sheet())) {}
 
 bool SheetView::ray(double column, double row, core::Ray& ray) const {
   if (m_lenticular.sheet().is_slanted()) {
-    core::PixelPlace place;
-    place.column = static_cast<std::int32_t>(std::floor(column));
-    place.row = static_cast<std::int32_t>(std::floor(row));
-    return ray_at(place, ray);
+    return ray_at({.column = static_cast<std::int32_t>(std::floor(column)),
+                   .row = static_cast<std::int32_t>(std::floor(row))},
+                  ray);
   }
-  const double last = static_cast<double>(m_width - 1);
+  const double last = static_cast<double>(width() - 1);
   const double lens = std::clamp(std::floor(column), 0.0, last);
   // Within a pixel the view's picture runs across the lens's N pixels' worth of sheet; only the
   // centre is a ray of the sheet, so finer places fall on it.

@@ -42,9 +42,6 @@ class Lenticular : public Camera {
   /// From the sheet's plane, one scene unit of its normal long.
   bool sight(const core::PixelPlace& place, core::Ray& out) const override;
   core::PixelLattice lattice(std::uint32_t width) const override;
-  std::string_view name() const override { return "lenticular"; }
-  std::uint32_t width() const override { return m_sheet.width(); }
-  std::uint32_t height() const override { return m_height; }
   Properties describe() const override;
 
   const LensSheet& sheet() const { return m_sheet; }
@@ -54,7 +51,7 @@ class Lenticular : public Camera {
   /// V in scene units; infinite as it may be.
   double eye_distance() const { return 1.0 / m_inverse_distance; }
   /// Height Y of a place in the image's rows, scene units from the sheet's middle.
-  double row_height(double row) const { return (0.5 - row / m_height) * m_place.height; }
+  double row_height(double row) const { return (0.5 - row / height()) * m_place.height; }
   /// The slope of a row's rays along up: Y/V + eye_slope_y.
   double rise(double row) const {
     return row_height(row) * m_inverse_distance + m_place.eye_slope_y;
@@ -68,14 +65,14 @@ class Lenticular : public Camera {
 
   /// Pixels that show nothing.
   virtual std::uint64_t dark_pixels() const {
-    return std::uint64_t{m_sheet.dark_columns()} * m_height;
+    return std::uint64_t{m_sheet.dark_columns()} * height();
   }
   double sheet_height() const;  ///< mm
   /// The print's size in mm, and its resolution in pixels an inch both ways.
   double print_width() const { return m_sheet.print_width(); }
   double print_height() const;
   double print_dpi_x() const { return m_sheet.lens().print_dpi(); }
-  double print_dpi_y() const { return m_height * 25.4 / print_height(); }
+  double print_dpi_y() const { return height() * 25.4 / print_height(); }
   /// What a user should know: clamped front, dark pixels.
   std::vector<std::string> warnings() const;
   /// Lines of the report about the lens model.
@@ -103,7 +100,6 @@ class Lenticular : public Camera {
 
   LensSheet m_sheet;
   SheetPlacement m_place;
-  std::uint32_t m_height;
   double m_scale;
   double m_inverse_distance;  ///< 1/V in scene units, 0: infinite
   bool m_clamped = false;
@@ -128,9 +124,6 @@ class SheetView final : public CameraOfOthers {
   SheetView(const Lenticular& lenticular, std::uint32_t view);
 
   bool ray(double column, double row, core::Ray& ray) const override;
-  std::string_view name() const override { return "lenticular"; }
-  std::uint32_t width() const override { return m_width; }
-  std::uint32_t height() const override { return m_lenticular.height(); }
   Properties describe() const override;
 
  private:
@@ -139,7 +132,7 @@ class SheetView final : public CameraOfOthers {
   }
 
   const Lenticular& m_lenticular;
-  std::uint32_t m_view, m_views, m_width;
+  std::uint32_t m_view, m_views;
 };
 
 }  // namespace lentray::camera

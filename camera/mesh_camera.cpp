@@ -53,7 +53,7 @@ bool shares_at(const MeshCameraFace& face, const core::Vec2& at, std::array<doub
 }  // namespace
 
 MeshCamera::MeshCamera(MeshCameraSetup setup, std::uint32_t width, std::uint32_t height)
-    : m_setup(std::move(setup)), m_width(width), m_height(height) {
+    : Camera("mesh_camera", width, height), m_setup(std::move(setup)) {
   std::size_t faces = 0;
   for (const MeshCameraPart& part : m_setup.parts) {
     m_before.push_back(faces);
@@ -83,7 +83,7 @@ bool MeshCamera::from_face(const MeshCameraPart& part, std::size_t face, core::R
 
 bool MeshCamera::by_place(double x, double y, core::Ray& ray) const {
   const MeshCameraPart& part = m_setup.parts.front();
-  const core::Vec2 at{(x - 0.5) / m_width, 1.0 - (y + 0.5) / m_height};
+  const core::Vec2 at{(x - 0.5) / width(), 1.0 - (y + 0.5) / height()};
   for (const std::uint32_t i : m_index->near(at)) {
     const MeshCameraFace& f = (*part.faces)[i];
     std::array<double, 3> share;
@@ -102,9 +102,9 @@ bool MeshCamera::by_place(double x, double y, core::Ray& ray) const {
 
 bool MeshCamera::from_part(const MeshCameraPart& part, double column, double row,
                            core::Ray& ray) const {
-  const double x = std::clamp(column, 0.0, m_width - 1.0);
-  const double y = std::clamp(row - 1.0, 0.0, m_height - 1.0);
-  return from_face(part, static_cast<std::size_t>(y) * m_width + static_cast<std::size_t>(x), ray);
+  const double x = std::clamp(column, 0.0, width() - 1.0);
+  const double y = std::clamp(row - 1.0, 0.0, height() - 1.0);
+  return from_face(part, static_cast<std::size_t>(y) * width() + static_cast<std::size_t>(x), ray);
 }
 
 std::uint32_t MeshCamera::rays_a_place() const {
@@ -119,23 +119,23 @@ bool MeshCamera::one_ray_at(const core::PixelPlace& place, std::uint32_t index,
 }
 
 bool MeshCamera::ray(double column, double row, core::Ray& ray) const {
-  const double x = std::clamp(column, 0.0, m_width - 1.0);
-  const double y = std::clamp(row - 1.0, 0.0, m_height - 1.0);
+  const double x = std::clamp(column, 0.0, width() - 1.0);
+  const double y = std::clamp(row - 1.0, 0.0, height() - 1.0);
   const auto across = static_cast<std::size_t>(x), down = static_cast<std::size_t>(y);
   const auto& parts = m_setup.parts;
   switch (m_setup.distribution) {
     case 0: return from_part(parts.front(), column, row, ray);
     case 1: {
-      const std::size_t face = down * m_width + across;
+      const std::size_t face = down * width() + across;
       const auto after = std::upper_bound(m_before.begin(), m_before.end(), face);
       const auto part = static_cast<std::size_t>(after - m_before.begin()) - 1;
       return from_face(parts[part], face - m_before[part], ray);
     }
     case 2: {
       // Pictures of the meshes side by side; faces are counted from the left of the whole.
-      const double each = static_cast<double>(m_width) / static_cast<double>(parts.size());
+      const double each = static_cast<double>(width()) / static_cast<double>(parts.size());
       const auto part = std::min(static_cast<std::size_t>(x / each), parts.size() - 1);
-      return from_face(parts[part], down * (m_width / parts.size()) + across, ray);
+      return from_face(parts[part], down * (width() / parts.size()) + across, ray);
     }
     default: return by_place(x, y, ray);
   }

@@ -48,10 +48,6 @@ class MeshCamera final : public Camera {
   std::uint32_t rays_a_place() const override;
   bool one_ray_at(const core::PixelPlace& place, std::uint32_t index,
                   core::Ray& ray) const override;
-  std::string_view name() const override { return "mesh_camera"; }
-  std::uint32_t width() const override { return m_width; }
-  std::uint32_t height() const override { return m_height; }
-  Properties describe() const override { return {{"camera", std::string("mesh_camera")}}; }
 
  private:
   class UvIndex;
@@ -65,7 +61,6 @@ class MeshCamera final : public Camera {
   MeshCameraSetup m_setup;
   std::unique_ptr<UvIndex> m_index;   ///< of the first part, for distribution 3
   std::vector<std::size_t> m_before;  ///< faces of the parts before each, for distribution 1
-  std::uint32_t m_width, m_height;
 };
 
 }  // namespace lentray::camera

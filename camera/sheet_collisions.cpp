@@ -44,14 +44,10 @@ void on_rectangle(const SceneProbe& probe, const Vec3& centre, const Vec3& acros
                   const std::function<void(const Crossing&)>& visit) {
   for (int i = 0; i < kLines; ++i) {
     const double at = (i + 0.5) / kLines - 0.5;
-    for (const Crossing& c :
-         crossings(probe, centre - across * 0.5 + down * at, centre + across * 0.5 + down * at)) {
-      visit(c);
-    }
-    for (const Crossing& c :
-         crossings(probe, centre + across * at - down * 0.5, centre + across * at + down * 0.5)) {
-      visit(c);
-    }
+    const Vec3 beside = centre + across * at, below = down * at, half = down * 0.5;
+    std::ranges::for_each(
+        crossings(probe, centre - across * 0.5 + below, centre + across * 0.5 + below), visit);
+    std::ranges::for_each(crossings(probe, beside - half, beside + half), visit);
   }
 }
 

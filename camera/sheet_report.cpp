@@ -2,10 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
 #include "camera/text.h"
 #include "core/base/bounds.h"
+#include "core/base/formed.h"
 
 namespace lentray::camera {
 namespace {
@@ -201,14 +201,9 @@ std::vector<std::string> viewing_lines(const Lenticular& sheet) {
     out.push_back("The left eye sees view " + view(viewing.left) + ", the right eye view " +
                   view(viewing.right) + " of 0 to " + view(lens.pixels));
   } else {
-    const auto place = [](double pixel) {
-      char text[32];
-      std::snprintf(text, sizeof text, "%.1f", pixel);
-      return std::string(text);
-    };
-    out.push_back("The left eye sees place " + place(viewing.left) + ", the right eye place " +
-                  place(viewing.right) + " of the " + brief(lens.pixels) +
-                  " pixels behind each lens");
+    out.push_back(core::formed("The left eye sees place %.1f, the right eye place %.1f of the ",
+                               viewing.left, viewing.right) +
+                  brief(lens.pixels) + " pixels behind each lens");
   }
   return out;
 }

@@ -7,8 +7,8 @@
 namespace lentray::camera {
 SizedView::SizedView(const Lenticular& sheet, std::uint32_t view, std::uint32_t views,
                      std::uint32_t width, std::uint32_t height)
-    : CameraOfOthers(sheet), m_sheet(sheet), m_view(view), m_views(views), m_width(width),
-      m_height(height), m_offset((view + 0.5) / views - 0.5),
+    : CameraOfOthers(sheet, sheet.name(), width, height), m_sheet(sheet), m_view(view),
+      m_views(views), m_offset((view + 0.5) / views - 0.5),
       m_lenses_a_column(sheet.sheet().lenses() / width),
       m_rows_a_row(static_cast<double>(sheet.height()) / height) {}
 
@@ -39,7 +39,9 @@ std::shared_ptr<const Camera> make_view(const Lenticular& sheet, std::uint32_t v
 
 Quilt::Quilt(std::vector<std::shared_ptr<const Camera>> tiles, std::uint32_t columns,
              Properties about)
-    : CameraOfOthers(*tiles[0]), m_tiles(std::move(tiles)), m_columns(columns),
+    : CameraOfOthers(*tiles[0], "quilt", columns * tiles[0]->width(),
+                     static_cast<std::uint32_t>(tiles.size()) / columns * tiles[0]->height()),
+      m_tiles(std::move(tiles)), m_columns(columns),
       m_rows(static_cast<std::uint32_t>(m_tiles.size()) / columns),
       m_tile_width(m_tiles[0]->width()), m_tile_height(m_tiles[0]->height()),
       m_about(std::move(about)) {}

@@ -24,9 +24,6 @@ class SizedView final : public CameraOfOthers {
   /// The sheet must outlive it. view < views; width, height > 0.
   SizedView(const Lenticular& sheet, std::uint32_t view, std::uint32_t views, std::uint32_t width,
             std::uint32_t height);
-  std::string_view name() const override { return "lenticular"; }
-  std::uint32_t width() const override { return m_width; }
-  std::uint32_t height() const override { return m_height; }
   Properties describe() const override;
 
   /// e_j in cells, -1/2 to 1/2, and in mm.
@@ -37,7 +34,7 @@ class SizedView final : public CameraOfOthers {
   Found find(const core::PixelPlace& place) const override;
 
   const Lenticular& m_sheet;
-  std::uint32_t m_view, m_views, m_width, m_height;
+  std::uint32_t m_view, m_views;
   double m_offset;
   double m_lenses_a_column, m_rows_a_row;  ///< of the sheet, by columns and rows of the view
 };
@@ -57,9 +54,6 @@ class Quilt final : public CameraOfOthers {
   /// in the tile's own picture. Rows join through: a tile's upper row is compared with the tile
   /// above.
   core::PixelLattice lattice(std::uint32_t width) const override;
-  std::string_view name() const override { return "quilt"; }
-  std::uint32_t width() const override { return m_columns * m_tile_width; }
-  std::uint32_t height() const override { return m_rows * m_tile_height; }
   Properties describe() const override;
 
  private:

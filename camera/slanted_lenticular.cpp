@@ -121,10 +121,8 @@ core::PixelPlace SlantedLenticular::place_at(double at, double row, double cell)
 }
 
 bool SlantedLenticular::is_dark(std::uint32_t column, std::uint32_t row) const {
-  core::PixelPlace place;
-  place.column = static_cast<std::int32_t>(column);
-  place.row = static_cast<std::int32_t>(row);
-  const SlantedPlace at = on_print(place);
+  const SlantedPlace at = on_print(
+      {.column = static_cast<std::int32_t>(column), .row = static_cast<std::int32_t>(row)});
   SheetExit exit;
   if (!m_lens) return !exit_of(at, row + 0.5, exit);
   return m_lens->is_dark(at.lens_offset, m_rows.along(m_rows.rise(row + 0.5)));
@@ -170,9 +168,8 @@ RayShares SlantedLenticular::count_shares() const {
   const SlopeAlong along = m_rows.along(m_rows.rise(row + 0.5));
   RayShares shares;
   for (std::uint32_t k = 0; k < width(); ++k) {
-    core::PixelPlace place;
-    place.column = static_cast<std::int32_t>(k);
-    place.row = static_cast<std::int32_t>(row);
+    const core::PixelPlace place{.column = static_cast<std::int32_t>(k),
+                                 .row = static_cast<std::int32_t>(row)};
     shares.add(*m_lens, on_print(place).lens_offset, along);
   }
   return shares.of(static_cast<double>(width()) * m_lens->rays());

@@ -49,12 +49,8 @@ class ThickLens {
 
   /// K, the points of the aperture.
   std::uint32_t rays() const { return static_cast<std::uint32_t>(m_points.size()); }
-  /// The ray of a lens offset (mm) through a point of the aperture, from the left, that rises by
-  /// `rise`. `out` says nothing for a ray that shows nothing.
-  LensRayEnd leave(double offset, std::uint32_t point, double rise, SheetExit& out) const {
-    return through(m_points[point], offset, {rise, 0.0}, out);
-  }
-  /// The ray whose rise depends on its slope across the lens.
+  /// The ray of a lens offset (mm) through a point of the aperture, from the left, that rises as
+  /// `along` says. `out` says nothing for a ray that shows nothing.
   LensRayEnd leave(double offset, std::uint32_t point, const SlopeAlong& along,
                    SheetExit& out) const {
     return through(m_points[point], offset, along, out);

@@ -33,8 +33,7 @@ void ThickLenticular::place_ray(const LensColumn& column, const SheetExit& exit,
 
 bool ThickLenticular::through_vertex(const LensColumn& column, double row, core::Ray& out) const {
   SheetExit exit;
-  const LensRayEnd end = m_lens.leave_vertex(column.lens_offset, rise(row), exit);
-  if (!shows(end)) return false;
+  if (!shows(m_lens.leave_vertex(column.lens_offset, rise(row), exit))) return false;
   place_ray(column, exit, row, out);
   return true;
 }
@@ -57,8 +56,7 @@ bool ThickLenticular::one_ray_at(const core::PixelPlace& place, std::uint32_t in
   const LensColumn column = column_at(place);
   const double row = place.row + 0.5 + place.down;
   SheetExit exit;
-  const LensRayEnd end = m_lens.leave(column.lens_offset, index, rise(row), exit);
-  if (!shows(end)) return false;
+  if (!shows(m_lens.leave(column.lens_offset, index, {rise(row)}, exit))) return false;
   place_ray(column, exit, row, out);
   return true;
 }
@@ -86,8 +84,8 @@ bool ThickLenticular::is_never_dark(const LensColumn& column) const {
   const double least = first * last <= 0.0 ? 0.0 : std::min(std::fabs(first), std::fabs(last));
   for (std::uint32_t j = 0; j < m_lens.rays(); ++j) {
     SheetExit exit;
-    if (m_lens.leave(column.lens_offset, j, most, exit) == LensRayEnd::kLeaves &&
-        m_lens.leave(column.lens_offset, j, least, exit) == LensRayEnd::kLeaves) {
+    if (m_lens.leave(column.lens_offset, j, {most}, exit) == LensRayEnd::kLeaves &&
+        m_lens.leave(column.lens_offset, j, {least}, exit) == LensRayEnd::kLeaves) {
       return true;
     }
   }

@@ -8,6 +8,7 @@
 #include <stdexcept>
 #include <string>
 
+#include "core/base/trimmed.h"
 #include "shadow/adaptive_order.h"
 #include "shadow/names.h"
 
@@ -117,12 +118,6 @@ struct Asked {
   std::uint32_t rows() const { return entry->takes == 2 ? numbers[1] : entry->rows; }
 };
 
-std::string_view trimmed(std::string_view text) {
-  while (!text.empty() && text.front() == ' ') text.remove_prefix(1);
-  while (!text.empty() && text.back() == ' ') text.remove_suffix(1);
-  return text;
-}
-
 [[noreturn]] void refuse_numbers(std::string_view text, const Entry& entry) {
   std::string why = "pixel order '" + std::string(text) + "': " + std::string(entry.name);
   if (entry.takes == 0) why += " takes no numbers";
@@ -140,7 +135,7 @@ Numbers numbers_in(std::string_view text, std::string_view inside, const Entry& 
     const std::size_t comma = inside.find(',');
     const bool last = i + 1 >= entry.takes;
     if (entry.takes == 0 || (comma == inside.npos) != last) refuse_numbers(text, entry);
-    const std::string_view word = trimmed(inside.substr(0, comma));
+    const std::string_view word = core::trimmed(inside.substr(0, comma), " ");
     const auto end = word.data() + word.size();
     const auto [at, error] = std::from_chars(word.data(), end, numbers[i]);
     if (error != std::errc() || at != end || numbers[i] < 1 || numbers[i] > kLargestStrip) {
@@ -152,9 +147,9 @@ Numbers numbers_in(std::string_view text, std::string_view inside, const Entry& 
 }
 
 Asked asked_for(std::string_view text) {
-  const std::string_view whole = trimmed(text);
+  const std::string_view whole = core::trimmed(text, " ");
   const std::size_t bracket = whole.find('(');
-  const std::string_view name = trimmed(whole.substr(0, bracket));
+  const std::string_view name = core::trimmed(whole.substr(0, bracket), " ");
   for (const Entry& entry : kOrders) {
     if (!same_name(entry.name, name)) continue;
     if (bracket == whole.npos) return {&entry, entry.numbers};

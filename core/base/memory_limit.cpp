@@ -4,9 +4,10 @@
 
 #include <algorithm>
 #include <atomic>
-#include <cstdio>
 #include <fstream>
 #include <limits>
+
+#include "core/base/formed.h"
 
 namespace lentray::core {
 namespace {
@@ -37,7 +38,6 @@ void check_room(double bytes) {
 }
 
 std::string memory_text(double bytes) {
-  char buffer[32];
   const char* unit = "MB";
   double value = bytes / 1e6;
   for (const char* next : {"GB", "TB", "PB"}) {
@@ -45,8 +45,7 @@ std::string memory_text(double bytes) {
     value /= 1000.0;
     unit = next;
   }
-  std::snprintf(buffer, sizeof buffer, "%.3g %s", value, unit);
-  return buffer;
+  return formed("%.3g %s", value, unit);
 }
 
 }  // namespace lentray::core

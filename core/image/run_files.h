@@ -29,6 +29,10 @@ void check_not_input(const std::filesystem::path& place);
 /// output is that file, be it there already or not.
 void claim_output(const std::filesystem::path& place, std::string_view what);
 
+/// The same for a file that is asked for before anything is computed, so that no work is lost on it: throws too if
+/// it cannot be written (check_writable()). Says nothing of no file and of standard output, "-".
+void claim_writable(const std::filesystem::path& place, std::string_view what);
+
 /// For tests: nothing was read or claimed.
 void forget_run_files();
 

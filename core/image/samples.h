@@ -88,10 +88,6 @@ class Samples {
     std::visit([&](auto& values) { values.resize(count); }, m_values);
   }
   void assign(std::size_t count, float value) { m_values.emplace<0>(count, value); }
-  void push_back(float value) {
-    resize(size() + 1);
-    set(size() - 1, value);
-  }
 
  private:
   std::variant<std::vector<float>, std::vector<std::uint8_t>, std::vector<std::uint16_t>> m_values;

@@ -4,8 +4,8 @@
 #include <array>
 #include <charconv>
 #include <cmath>
-#include <cstdio>
 
+#include "core/base/formed.h"
 #include "core/irradiance/irradiance_cache.h"
 
 namespace lentray::core {
@@ -17,10 +17,8 @@ constexpr double kMostRadiiAway = 1e15;  ///< of the origin: cells are numbered 
 int step_of(double part) { return static_cast<int>((part + 1.0) * kSteps + 0.499999); }
 
 std::string packed(const Vec3& normal) {
-  char text[16];
-  std::snprintf(text, sizeof text, "%02x%02x%02x", step_of(normal.x) & 0xff,
-                step_of(normal.y) & 0xff, step_of(normal.z) & 0xff);
-  return text;
+  return formed("%02x%02x%02x", step_of(normal.x) & 0xff, step_of(normal.y) & 0xff,
+                step_of(normal.z) & 0xff);
 }
 
 bool unpack(std::string_view text, Vec3& normal) {
@@ -75,13 +73,12 @@ bool read_sample(std::string_view line, DepthSample& out) {
 }
 
 void append_sample(int depth, const IrradianceSample& s, std::string& out) {
-  char text[256];
-  std::snprintf(text, sizeof text, "C%d\t%g\t%g\t%g\t", depth + 1, s.point.x, s.point.y, s.point.z);
-  out += text + packed(s.normal);
-  std::snprintf(text, sizeof text, "\t%.4f\t%.4f\t%.4f\t%g\t%g\t", static_cast<double>(s.light.r),
+  out += formed("C%d\t%g\t%g\t%g\t", depth + 1, s.point.x, s.point.y, s.point.z) +
+         packed(s.normal) +
+         formed("\t%.4f\t%.4f\t%.4f\t%g\t%g\t", static_cast<double>(s.light.r),
                 static_cast<double>(s.light.g), static_cast<double>(s.light.b),
-                static_cast<double>(s.radius), static_cast<double>(s.nearest));
-  out += text + packed(s.to_nearest) + "\n";
+                static_cast<double>(s.radius), static_cast<double>(s.nearest)) +
+         packed(s.to_nearest) + "\n";
 }
 
 }  // namespace

@@ -1,7 +1,8 @@
 #include "core/numeric/slope_watch.h"
 
 #include <algorithm>
-#include <cstdio>
+
+#include "core/base/formed.h"
 
 namespace lentray::core {
 namespace {
@@ -32,9 +33,7 @@ std::string SlopeWatch::advice() const {
   } else {
     return {};
   }
-  char text[200];
-  std::snprintf(text, sizeof text, what, m_max_gradient, found);
-  return text;
+  return formed(what, m_max_gradient, found);
 }
 
 }  // namespace lentray::core

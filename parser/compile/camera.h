@@ -6,9 +6,9 @@
 #include <optional>
 #include <string>
 
-#include "camera/curved.h"
 #include "camera/lens_request.h"
 #include "camera/mesh_camera.h"
+#include "camera/projected.h"
 #include "camera/projection.h"
 #include "camera/thin_lens.h"
 #include "parser/compile/texture_compiler.h"
@@ -19,7 +19,7 @@ namespace lentray::parser {
 struct CameraRequest {
   std::string kind;  ///< SDL's word
   camera::Projection projection;
-  camera::CurvedAngles angles;                  ///< of the kinds whose picture is not flat
+  camera::ProjectedAngles angles;               ///< of the kinds whose picture is not flat
   int cylinder_type = 0;                        ///< 1..4
   camera::LensRequest lens;                     ///< of `lenticular`, empty otherwise
   std::optional<camera::MeshCameraSetup> mesh;  ///< of `mesh_camera`

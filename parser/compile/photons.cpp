@@ -1,9 +1,9 @@
 #include "parser/compile/photons.h"
 
 #include <algorithm>
-#include <cstdio>
 #include <string>
 
+#include "core/base/formed.h"
 #include "core/numeric/bounds_help.h"
 #include "core/photon/units.h"
 #include "parser/stock/stock_box.h"
@@ -72,12 +72,10 @@ void check_photons(const GlobalDesc& global, core::SceneParts& parts, Diagnostic
     return drop("neither targets nor lights have reflection or refraction of photons on");
   const double expected = core::expected_photons(parts.lights, units);
   if (!(expected <= kMostShot)) {
-    char about[32];
-    std::snprintf(about, sizeof about, "%.2g", expected);
     diagnostics.fail(global.where,
-                     std::string("about ") + about +
-                         " photons would be shot, 1e+09 are the most: a greater spacing or a "
-                         "smaller count shoots fewer");
+                     core::formed("about %.2g photons would be shot, 1e+09 are the most: a greater "
+                                  "spacing or a smaller count shoots fewer",
+                                  expected));
   }
 }
 

@@ -6,16 +6,12 @@
 #include <string_view>
 #include <vector>
 
+#include "core/base/trimmed.h"
+
 namespace lentray::parser {
 namespace {
 
 namespace fs = std::filesystem;
-
-std::string trimmed(std::string_view text) {
-  const std::size_t first = text.find_first_not_of(' ');
-  if (first == std::string_view::npos) return {};
-  return std::string(text.substr(first, text.find_last_not_of(' ') - first + 1));
-}
 
 bool same_letters(std::string_view a, std::string_view b) {
   const auto lower = [](char c) { return std::tolower(static_cast<unsigned char>(c)); };
@@ -28,7 +24,7 @@ std::vector<std::string> components(const std::string& name) {
   std::size_t begin = 0;
   while (begin <= name.size()) {
     const std::size_t end = std::min(name.find_first_of("/\\", begin), name.size());
-    std::string part = trimmed(std::string_view(name).substr(begin, end - begin));
+    std::string part(core::trimmed(std::string_view(name).substr(begin, end - begin), " "));
     if (!part.empty() && part != ".") parts.push_back(std::move(part));
     begin = end + 1;
   }

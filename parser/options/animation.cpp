@@ -1,18 +1,15 @@
 #include "parser/options/animation.h"
 
 #include <algorithm>
-#include <cstdio>
 #include <cstdlib>
+
+#include "core/base/formed.h"
 
 namespace lentray::parser {
 namespace {
 
 /// Stock hands these constants to the scene as texts of six digits.
-double six_digits(double value) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%g", value);
-  return std::strtod(text, nullptr);
-}
+double six_digits(double value) { return std::strtod(core::formed("%g", value).c_str(), nullptr); }
 
 /// The first or last frame of a subset of `count` frames.
 int subset(std::optional<double> given, int count, int otherwise) {

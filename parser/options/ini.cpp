@@ -5,17 +5,13 @@
 #include <fstream>
 #include <sstream>
 
+#include "core/base/trimmed.h"
 #include "core/image/run_files.h"
 
 namespace lentray::parser {
 namespace {
 
-std::string_view trimmed(std::string_view text) {
-  constexpr std::string_view kBlanks = " \t\r\n\f\v";
-  const std::size_t first = text.find_first_not_of(kBlanks);
-  if (first == std::string_view::npos) return {};
-  return text.substr(first, text.find_last_not_of(kBlanks) - first + 1);
-}
+std::string_view trimmed(std::string_view text) { return core::trimmed(text, " \t\r\n\f\v"); }
 
 /// A line up to its comment, which ; or # begins; quotes protect both.
 std::string_view without_comment(std::string_view line) {

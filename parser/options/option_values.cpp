@@ -3,9 +3,10 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
-#include <cstdio>
 #include <string_view>
 #include <vector>
+
+#include "core/base/formed.h"
 
 namespace lentray::parser {
 
@@ -72,9 +73,8 @@ double cut(RenderOptions& options, const GivenOption& given, double value, std::
            double least, double most) {
   const double taken = std::clamp(value, least, most);
   if (taken != value || !rest.empty()) {
-    char text[32];
-    std::snprintf(text, sizeof text, "%.10g", taken);
-    options.warnings.push_back(given.where + "option " + given.shown + ": taken as " + text);
+    options.warnings.push_back(given.where + "option " + given.shown +
+                               core::formed(": taken as %.10g", taken));
   }
   return taken;
 }

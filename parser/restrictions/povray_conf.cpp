@@ -6,6 +6,7 @@
 #include <fstream>
 #include <sstream>
 
+#include "core/base/trimmed.h"
 #include "core/image/run_files.h"
 #include "parser/options/ini.h"
 
@@ -38,11 +39,7 @@ std::string without_remark(std::string_view line) {
   return std::string(line);
 }
 
-std::string stripped(std::string_view text) {
-  const std::size_t first = text.find_first_not_of(" \t\r");
-  if (first == text.npos) return {};
-  return std::string(text.substr(first, text.find_last_not_of(" \t\r") - first + 1));
-}
+std::string stripped(std::string_view text) { return std::string(core::trimmed(text, " \t\r")); }
 
 class ConfReader {
  public:

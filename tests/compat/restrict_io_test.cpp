@@ -313,7 +313,8 @@ TEST(CompatRestrictIo, PicturesAreTheSame) {
   picture.height = 4;
   picture.channels = 3;
   picture.bits = 8;
-  for (int i = 0; i < 60; ++i) picture.samples.push_back(static_cast<float>(4 * i));
+  picture.samples.assign(60, 0.0f);
+  for (std::size_t i = 0; i < 60; ++i) picture.samples[i] = static_cast<float>(4 * i);
   core::write_stored(picture, world / "work/a.png");
   core::write_stored(picture, world / "work/a.tif");
   fs::copy_file(world / "work/a.png", world / "work/wrong.tga");

@@ -21,9 +21,10 @@ std::string write_picture(const std::string& name, int channels, int bits) {
   image.bits = bits;
   std::mt19937 random(3);
   const double most = bits == 8 ? 255.0 : 65535.0;
-  for (int i = 0; i < 5 * 4 * channels; ++i) {
-    image.samples.push_back(
-        static_cast<float>(std::floor(static_cast<double>(random()) / 4294967296.0 * most)));
+  image.samples.assign(static_cast<std::size_t>(5 * 4 * channels), 0.0f);
+  for (std::size_t i = 0; i < image.samples.size(); ++i) {
+    image.samples[i] =
+        static_cast<float>(std::floor(static_cast<double>(random()) / 4294967296.0 * most));
   }
   const std::string path = ::testing::TempDir() + name;
   core::write_stored(image, path);

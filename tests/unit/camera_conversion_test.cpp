@@ -5,8 +5,7 @@
 
 #include <cmath>
 
-#include "camera/orthographic.h"
-#include "camera/perspective.h"
+#include "camera/projected.h"
 #include "core/base/bounds.h"
 #include "tests/unit/plain_camera.h"
 
@@ -50,7 +49,7 @@ void expect_same_line(const Ray& a, const Ray& b, double tolerance) {
 TEST(UnitCameraConversion, TheMiddleViewIsTheOrdinaryPicture) {
   const Projection p = plain_camera();
   const Sheet sheet = sheet_of_camera("perspective", p, {}, 600, 30, {});
-  const Perspective ordinary(p, 40, 30);
+  const Projected ordinary(ProjectedKind::kPerspective, p, {}, 40, 30);
   const SheetView view(*sheet.camera, 7);
   EXPECT_EQ(view.width(), 40u);
   EXPECT_EQ(sheet.camera->sheet().lens().model, LensModel::kParaxial);
@@ -72,7 +71,7 @@ TEST(UnitCameraConversion, AnObliqueAndMirroredCameraStaysSo) {
   p.direction = {0.3, -0.2, 1.5};
   p.look_at_distance = 7.0;
   const Sheet sheet = sheet_of_camera("perspective", p, {}, 600, 30, {});
-  const Perspective ordinary(p, 40, 30);
+  const Projected ordinary(ProjectedKind::kPerspective, p, {}, 40, 30);
   const SheetView view(*sheet.camera, 7);
   for (const double row : {0.5, 29.5}) {
     for (const double column : {0.5, 39.5}) {
@@ -130,7 +129,7 @@ TEST(UnitCameraConversion, OrthographicIsThePicturePlane) {
   p.direction = {0.2, 0.1, 1.0};  // oblique
   p.look_at_distance.reset();
   const Sheet sheet = sheet_of_camera("orthographic", p, {}, 600, 30, {});
-  const Orthographic ordinary(p, 40, 30);
+  const Projected ordinary(ProjectedKind::kOrthographic, p, {}, 40, 30);
   const SheetView view(*sheet.camera, 7);
   EXPECT_FALSE(sheet.camera->sheet().lens().is_finite());
   EXPECT_EQ(sheet.camera->placement().front, 0.0);

@@ -5,8 +5,7 @@
 
 #include <cmath>
 
-#include "camera/orthographic.h"
-#include "camera/perspective.h"
+#include "camera/projected.h"
 
 namespace lentray::camera {
 namespace {
@@ -215,7 +214,7 @@ TEST(UnitCameraPerspective, PixelsOfAnObliqueFrame) {
   p.direction = {0.5, 0.0, 2.0};
   p.right = {-1.5, 0.25, 0.0};
   p.up = {0.0, 1.0, 0.125};
-  const Perspective camera(p, 4, 2);
+  const Projected camera(ProjectedKind::kPerspective, p, {}, 4, 2);
   Ray ray;
   ASSERT_TRUE(camera.ray(0.5, 1.5, ray));  // x0 = -0.375, y0 = -0.25
   expect_near(ray.origin, p.location, 0.0);
@@ -229,7 +228,7 @@ TEST(UnitCameraOrthographic, PixelsOfAnObliqueFrame) {
   p.direction = {3.0, 0.0, 4.0};
   p.right = {8.0, 0.0, 0.0};
   p.up = {0.0, 4.0, 0.0};
-  const Orthographic camera(p, 4, 2);
+  const Projected camera(ProjectedKind::kOrthographic, p, {}, 4, 2);
   Ray ray;
   ASSERT_TRUE(camera.ray(3.5, 0.5, ray));  // x0 = 0.375, y0 = 0.25
   expect_near(ray.origin, {4.0, 3.0, 3.0}, 1e-15);

@@ -183,7 +183,7 @@ Tally compare(const LensParameters& parameters, int first = -45, int last = 45) 
       for (std::uint32_t j = 0; j < lens.rays(); ++j) {
         const double across = ((j + 0.5) / lens.rays() - 0.5) * parameters.pitch;
         SheetExit got;
-        const LensRayEnd end = lens.leave(offset, j, rise, got);
+        const LensRayEnd end = lens.leave(offset, j, {rise}, got);
         const std::string where = "offset " + std::to_string(offset) + " point " +
                                   std::to_string(j) + " rise " + std::to_string(rise);
         if (!shows(end)) {
@@ -246,7 +246,7 @@ TEST(UnitCameraThickLens, IsParaxialNearTheAxis) {
     for (const double cells : {-0.5, -0.1, 0.3}) {
       for (std::uint32_t j = 0; j < 5; ++j) {
         SheetExit exit;
-        ASSERT_EQ(lens.leave(cells * pitch, j, 0.0, exit), LensRayEnd::kLeaves);
+        ASSERT_EQ(lens.leave(cells * pitch, j, {0.0}, exit), LensRayEnd::kLeaves);
         EXPECT_NEAR(exit.slope, 1.5 * cells * pitch / 2.0, 2.0 * std::pow(pitch / 2.0, 3));
       }
     }
@@ -298,7 +298,7 @@ TEST(UnitCameraThickLenticular, PlacesItsRays) {
         for (std::uint32_t j = 0; j < lens.rays; ++j) {
           SheetExit exit;
           Ray ray;
-          const bool lit = shows(optics.leave(column.lens_offset, j, rise, exit));
+          const bool lit = shows(optics.leave(column.lens_offset, j, {rise}, exit));
           ASSERT_EQ(camera.one_ray_at({.column = k, .row = row}, j, ray), lit);
           if (!lit) continue;
           // Along the ray from its start to where it leaves the sheet.
@@ -402,7 +402,7 @@ TEST(UnitCameraThickLenticular, CountsWhatShowsNothing) {
       for (std::uint32_t j = 0; j < 3; ++j) {
         SheetExit exit;
         const LensRayEnd end =
-            optics.leave(camera.sheet().column(k).lens_offset, j, camera.rise(10.0), exit);
+            optics.leave(camera.sheet().column(k).lens_offset, j, {camera.rise(10.0)}, exit);
         spilled += end == LensRayEnd::kSpills || end == LensRayEnd::kReturns ? 1 : 0;
         dark_rays += shows(end) ? 0 : 1;
       }

@@ -10,10 +10,8 @@
 
 #include "camera/blurred.h"
 #include "camera/conversion.h"
-#include "camera/curved.h"
 #include "camera/lens_request.h"
-#include "camera/orthographic.h"
-#include "camera/perspective.h"
+#include "camera/projected.h"
 #include "tests/unit/plain_camera.h"
 
 namespace lentray {
@@ -179,16 +177,22 @@ void expect_meets(const camera::Camera& camera, const Vec3& middle, const Vec3& 
   }
 }
 
+std::shared_ptr<const camera::Camera> projected(camera::ProjectedKind kind,
+                                                const camera::Projection& p) {
+  return std::make_shared<camera::Projected>(kind, p, camera::ProjectedAngles{120, 360, 180}, 16,
+                                             12);
+}
+
 TEST(UnitThinLens, PerspectiveIsInFocusInAPlane) {
   const camera::Projection p = camera::plain_camera();
-  const camera::Blurred camera(std::make_shared<camera::Perspective>(p, 16, 12),
+  const camera::Blurred camera(projected(camera::ProjectedKind::kPerspective, p),
                                camera::lens_of_camera(p, request(6.0)), {.most = 10});
   expect_meets(camera, p.location, {0, 0, 1}, 0.0, 6.0);
 }
 
 TEST(UnitThinLens, OrthographicIsInFocusInAPlane) {
   const camera::Projection p = camera::plain_camera();
-  const camera::Blurred camera(std::make_shared<camera::Orthographic>(p, 16, 12),
+  const camera::Blurred camera(projected(camera::ProjectedKind::kOrthographic, p),
                                camera::lens_of_camera(p, request(6.0)), {.most = 10});
   expect_meets(camera, p.location, {0, 0, 1}, 0.0, 6.0);
 }
@@ -196,10 +200,8 @@ TEST(UnitThinLens, OrthographicIsInFocusInAPlane) {
 TEST(UnitThinLens, FisheyeIsInFocusOnASphere) {
   camera::Projection p = camera::plain_camera();
   p.direction = {0, 0, 1};
-  const camera::Blurred camera(
-      std::make_shared<camera::Curved>(camera::CurvedKind::kFisheye, p,
-                                       camera::CurvedAngles{120, 360, 180}, 16, 12),
-      camera::lens_of_camera(p, request(6.0)), {.most = 10});
+  const camera::Blurred camera(projected(camera::ProjectedKind::kFisheye, p),
+                               camera::lens_of_camera(p, request(6.0)), {.most = 10});
   core::Ray centre, ray;
   const core::PixelPlace place{.column = 4, .row = 5};
   ASSERT_TRUE(camera.ray_at(place, centre));

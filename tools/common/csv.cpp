@@ -1,10 +1,10 @@
 #include "tools/common/csv.h"
 
-#include "tools/common/formed.h"
+#include "core/base/formed.h"
 
 namespace lentray::tool {
 
-std::string number_text(double value) { return formed("%.12g", value); }
+std::string number_text(double value) { return core::formed("%.12g", value); }
 
 std::string csv_field(const std::string& text) {
   if (text.find_first_of(",\"\r\n") == std::string::npos) return text;

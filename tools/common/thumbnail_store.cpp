@@ -6,7 +6,7 @@
 #include <string_view>
 #include <system_error>
 
-#include "tools/common/formed.h"
+#include "core/base/formed.h"
 
 namespace lentray::tool {
 namespace {
@@ -31,9 +31,9 @@ std::optional<std::string> ThumbnailStore::name_of(const fs::path& picture,
   if (error) return std::nullopt;
   const std::string text = picture.string() + '\n' + std::to_string(size) + '\n' +
                            std::to_string(modified) + '\n' + recipe;
-  return formed("%016llx%016llx.jpg",
-                static_cast<unsigned long long>(sum_of(text, 0xcbf29ce484222325u)),
-                static_cast<unsigned long long>(sum_of(text, 0x6c62272e07bb0142u)));
+  return core::formed("%016llx%016llx.jpg",
+                      static_cast<unsigned long long>(sum_of(text, 0xcbf29ce484222325u)),
+                      static_cast<unsigned long long>(sum_of(text, 0x6c62272e07bb0142u)));
 }
 
 std::optional<std::string> ThumbnailStore::find(const std::string& name) {

@@ -8,7 +8,6 @@
 #include <thread>
 
 #include "core/image/run_files.h"
-#include "core/image/writer.h"
 #include "parser/base/shown.h"
 #include "parser/files/watched_files.h"
 #include "parser/options/options.h"
@@ -163,10 +162,7 @@ class Batch {
     const fs::path& out = m_plan.arguments.out;
     core::claim_output(out / "manifest.jsonl", "the manifest");
     core::claim_output(out / "index.html", "the page");
-    const fs::path& table = m_plan.arguments.table;
-    if (table.empty()) return;
-    core::check_writable(table);
-    core::claim_output(table, "--table");
+    core::claim_writable(m_plan.arguments.table, "--table");
   }
 
   static void note_inputs(const Row& row) {

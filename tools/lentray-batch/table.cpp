@@ -4,13 +4,13 @@
 #include <map>
 #include <utility>
 
-#include "tools/common/formed.h"
+#include "core/base/formed.h"
 #include "tools/lentray-batch/page_cards.h"
 
 namespace lentray::batch {
 namespace {
 
-std::string number(const char* how, double value) { return tool::formed(how, value); }
+std::string number(const char* how, double value) { return core::formed(how, value); }
 
 std::string joined(const std::vector<std::string>& words) {
   std::string out;

@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <iterator>
 
+#include "core/base/formed.h"
 #include "tools/common/repeats.h"
+
 namespace lentray::chart {
 
 namespace {
@@ -27,6 +29,8 @@ std::optional<Kind> kind_named(std::string_view name) {
 const char* name_of(State state) {
   return state == State::done ? "done" : state == State::failed ? "failed" : "waiting";
 }
+
+std::string error_text(double rms) { return core::formed("%.3g/255", rms); }
 
 double Point::seconds() const { return tool::median_of(cpu_s); }
 double Point::least() const { return cpu_s.empty() ? 0.0 : std::ranges::min(cpu_s); }

@@ -55,6 +55,9 @@ struct Error {
 enum class State { waiting, done, failed };
 const char* name_of(State state);
 
+/// "0.12/255".
+std::string error_text(double rms);
+
 struct Point {
   Setting setting;
   State state = State::waiting;

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <cstdio>
 
-#include "tools/common/formed.h"
+#include "core/base/formed.h"
 #include "tools/common/gnuplot.h"
 #include "tools/common/inline_svg.h"
 #include "tools/common/page_text.h"
@@ -48,13 +48,13 @@ constexpr std::array<KindLook, 12> kLooks{{{7, 6, 0x0072b2, "var(--series-1)", k
                                            {1, 1, 0x5c636e, "var(--series-8)", kPlus},
                                            {15, 14, 0xb01030, "var(--series-7)", kPentagon},
                                            {7, 6, 0x333435, "var(--text)", kDot}}};
-constexpr std::size_t kKinds = kLooks.size();
-static_assert(kKinds == static_cast<std::size_t>(Kind::exact) + 1, "each kind has its look");
+constexpr std::size_t kKindCount = kLooks.size();
+static_assert(kKindCount == static_cast<std::size_t>(Kind::exact) + 1, "each kind has its look");
 
 std::size_t place_of(Kind kind) { return static_cast<std::size_t>(kind); }
 
-std::string number(double value) { return tool::formed("%.9g", value); }
-std::string colour(unsigned rgb) { return tool::formed("'#%06x'", rgb); }
+std::string number(double value) { return core::formed("%.9g", value); }
+std::string colour(unsigned rgb) { return core::formed("'#%06x'", rgb); }
 
 /// In gnuplot's single quotes.
 std::string quoted(const std::string& text) {
@@ -69,7 +69,7 @@ std::string quoted(const std::string& text) {
 bool is_timed(const Point& p) { return p.state == State::done && !p.cpu_s.empty(); }
 double time_of(const Point& p) { return std::max(kLeastSeconds, p.seconds()); }
 std::string number_of_seconds(double s) {
-  return tool::formed(s < 9.995 ? "%.3g" : "%.0f", s) + " s";
+  return core::formed(s < 9.995 ? "%.3g" : "%.0f", s) + " s";
 }
 
 /// Where a chart lies on a canvas, in pixels from its left and top.
@@ -113,7 +113,7 @@ std::string log_tics(const LogAxis& axis, std::size_t most, double zero) {
   const std::size_t stride = std::max<std::size_t>(1, (tics.size() + most - 1) / most);
   std::string out = zero > 0.0 ? "'0' " + number(zero) : "";
   for (std::size_t i = 0; i < tics.size(); i += stride) {
-    out += (out.empty() ? "'" : ", '") + tool::formed("%g", tics[i]) + "' " + number(tics[i]);
+    out += (out.empty() ? "'" : ", '") + core::formed("%g", tics[i]) + "' " + number(tics[i]);
   }
   return "(" + out + ")";
 }
@@ -305,7 +305,7 @@ Plot error_plot(const ErrorView& view) {
   Plot plot;
   plot.add("front", front_rows(view),
            "1:2 with steps linewidth 1.6 linecolor rgb " + colour(kQuiet) + " title 'front'", -1);
-  for (std::size_t k = 0; k < kKinds; ++k) {
+  for (std::size_t k = 0; k < kKindCount; ++k) {
     for (const bool is_hollow : {false, true}) {
       std::string rows;
       bool has_full = false;
@@ -476,12 +476,12 @@ std::vector<tool::ChartColour> page_colours() {
 }
 
 std::string hit(const Point& p, double x, double y, bool is_first) {
-  const std::string error = p.error ? ", error " + tool::formed("%.3g", p.error->rms) : "";
+  const std::string error = p.error ? ", error " + core::formed("%.3g", p.error->rms) : "";
   const std::string text =
       tool::html_text(p.setting.label + ": " + number_of_seconds(p.seconds()) + error);
   return "<circle class=\"hit\" data-id=\"" + tool::html_text(p.setting.id) + "\" data-kind=\"" +
-         tool::html_text(name_of(p.setting.kind)) + "\" cx=\"" + tool::formed("%.1f", x) +
-         "\" cy=\"" + tool::formed("%.1f", y) + "\" r=\"9\" tabindex=\"" + (is_first ? "0" : "-1") +
+         tool::html_text(name_of(p.setting.kind)) + "\" cx=\"" + core::formed("%.1f", x) +
+         "\" cy=\"" + core::formed("%.1f", y) + "\" r=\"9\" tabindex=\"" + (is_first ? "0" : "-1") +
          "\" role=\"button\" aria-label=\"" + text + "\"/>\n";
 }
 

@@ -5,7 +5,6 @@
 
 #include "core/image/reader.h"
 #include "tools/common/duration.h"
-#include "tools/common/formed.h"
 #include "tools/lentray-chart/errors.h"
 #include "tools/lentray-chart/reference.h"
 
@@ -38,8 +37,6 @@ double smallest_error(const Session& session, const core::StoredImage& reference
   return smallest;
 }
 
-std::string change_text(double change) { return tool::formed("%.3g/255", change); }
-
 /// One reference on its way.
 class Convergence {
  public:
@@ -59,9 +56,9 @@ class Convergence {
     if (m_reference.steps.empty()) {
       line += "there is none: " + m_why;
     } else if (m_reference.is_converged) {
-      line += "converged, it changes by " + change_text(m_reference.change);
+      line += "converged, it changes by " + error_text(m_reference.change);
     } else {
-      line += "NOT converged (" + m_why + "): it changes by " + change_text(m_reference.change);
+      line += "NOT converged (" + m_why + "): it changes by " + error_text(m_reference.change);
     }
     m_session.progress.say(line);
   }
@@ -105,7 +102,7 @@ class Convergence {
         is_converged(m_reference.change, smallest_error(m_session, now, m_of_lens_models));
     m_session.save();
     m_session.progress.step(
-        m_name + ", " + step.what + ": changes by " + change_text(m_reference.change),
+        m_name + ", " + step.what + ": changes by " + error_text(m_reference.change),
         m_reference.cpu_s, std::max(0.0, m_session.arguments.reference_limit - m_reference.cpu_s));
     return !m_reference.is_converged;
   }
@@ -223,7 +220,7 @@ std::vector<std::string> broken_promises(const Chart& chart) {
   for (const Point& p : chart.points) {
     if (p.setting.kind != Kind::exact || !p.from_plain || p.from_plain->largest == 0.0) continue;
     lines.push_back(p.setting.label + " changes the picture, by up to " +
-                    change_text(p.from_plain->largest) + ": it must not");
+                    error_text(p.from_plain->largest) + ": it must not");
   }
   return lines;
 }

@@ -7,15 +7,10 @@
 #include <sstream>
 
 #include "core/base/lower_case.h"
+#include "core/base/trimmed.h"
 
 namespace lentray::chart {
 namespace {
-
-std::string trimmed(const std::string& text) {
-  const std::size_t first = text.find_first_not_of(" \t\n");
-  if (first == std::string::npos) return "";
-  return text.substr(first, text.find_last_not_of(" \t\n") - first + 1);
-}
 
 /// The list that begins with "  label" and ends before the next line of two blanks; items at commas.
 std::set<std::string> list_of(const std::string& text, const std::string& label) {
@@ -27,7 +22,8 @@ std::set<std::string> list_of(const std::string& text, const std::string& label)
   std::string all, line;
   while (std::getline(lines, line) && (all.empty() || line.starts_with("    "))) all += line + " ";
   std::istringstream words(all);
-  for (std::string word; std::getline(words, word, ',');) items.insert(trimmed(word));
+  for (std::string word; std::getline(words, word, ',');)
+    items.emplace(core::trimmed(word, " \t\n"));
   return items;
 }
 
@@ -58,16 +54,6 @@ void look_at_global_light(const std::string& text, SceneFacts& facts) {
       static_cast<int>(number_behind(line_of(text, "subsurface light"), "subsurface light "));
 }
 
-/// The number behind a label at the beginning of a line.
-long number_of(const std::string& text, const std::string& label, long otherwise) {
-  const std::size_t at = text.find("\n  " + label + " ");
-  if (at == std::string::npos) return otherwise;
-  const char* const begin = text.c_str() + at + label.size() + 4;
-  char* end = nullptr;
-  const long value = std::strtol(begin, &end, 10);
-  return end == begin ? otherwise : value;
-}
-
 }  // namespace
 
 Abilities::Abilities(const std::string& help) {
@@ -77,25 +63,13 @@ Abilities::Abilities(const std::string& help) {
     for (std::string word; words >> word;) {
       const std::size_t equals = word.find('=');
       if (equals == std::string::npos || equals == 0) continue;
-      while (!word.empty() && word.back() == ',') word.pop_back();
-      m_forms.try_emplace(core::lower_case(word.substr(0, equals)),
-                          core::lower_case(word.substr(equals + 1)));
+      m_names.insert(core::lower_case(word.substr(0, equals)));
     }
   }
 }
 
 bool Abilities::has(const std::string& name) const {
-  return m_forms.contains(core::lower_case(name));
-}
-
-bool Abilities::has(const std::string& name, const std::string& value) const {
-  const auto form = m_forms.find(core::lower_case(name));
-  if (form == m_forms.end()) return false;
-  std::istringstream values(form->second);
-  for (std::string word; std::getline(values, word, '|');) {
-    if (word == core::lower_case(value)) return true;
-  }
-  return false;
+  return m_names.contains(core::lower_case(name));
 }
 
 SceneFacts facts_of(const std::string& explanation) {
@@ -105,8 +79,10 @@ SceneFacts facts_of(const std::string& explanation) {
   const std::set<std::string> used = list_of(text, "used");
   facts.area_lights = used.contains("area lights");
   facts.media = used.contains("media");
-  facts.objects = static_cast<std::size_t>(std::max(0L, number_of(text, "objects", 0)));
-  facts.depth = static_cast<int>(number_of(text, "trace level", 1));
+  facts.objects =
+      static_cast<std::size_t>(std::max(0.0, number_behind(line_of(text, "objects"), "objects ")));
+  const std::string depth = line_of(text, "trace level");
+  if (!depth.empty()) facts.depth = static_cast<int>(number_behind(depth, "trace level "));
   look_at_global_light(text, facts);
   const std::size_t level = text.find("(max_trace_level ");
   if (level != std::string::npos) {

@@ -3,7 +3,7 @@
 #pragma once
 
 #include <cstddef>
-#include <map>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -16,11 +16,9 @@ class Abilities {
   /// `help`: what --help=all prints.
   explicit Abilities(const std::string& help);
   bool has(const std::string& name) const;
-  /// Whether `value` is one of those that the help lists, as in Lens_Model=paraxial|pinhole.
-  bool has(const std::string& name, const std::string& value) const;
 
  private:
-  std::map<std::string, std::string> m_forms;  ///< name in small letters; what stands behind =
+  std::set<std::string> m_names;  ///< in small letters
 };
 
 struct SceneFacts {

@@ -5,7 +5,6 @@
 #include <utility>
 
 #include "tools/common/duration.h"
-#include "tools/common/formed.h"
 #include "tools/common/repeats.h"
 #include "tools/common/shell_words.h"
 
@@ -40,8 +39,6 @@ const Point* dominator(const Chart& chart, const Point& p) {
   }
   return best;
 }
-
-std::string error_text(double rms) { return tool::formed("%.3g/255", rms); }
 
 /// Exact settings last: they are chosen where nothing else of their error is fast enough.
 std::vector<const Point*> candidates(const Chart& chart) {

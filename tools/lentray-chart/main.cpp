@@ -1,17 +1,16 @@
 // lentray-chart: speed against accuracy of a scene's settings.
 #include <algorithm>
-#include <cstdio>
 #include <exception>
 #include <iostream>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <thread>
 
+#include "core/base/formed.h"
 #include "core/image/run_files.h"
 #include "parser/files/watched_files.h"
 #include "tools/common/child.h"
 #include "tools/common/duration.h"
-#include "tools/common/formed.h"
 #include "tools/common/json_text.h"
 #include "tools/common/machine.h"
 #include "tools/common/process.h"
@@ -208,10 +207,9 @@ class Charting {
       return kNoneFits;
     }
     const Point& p = *choice.point;
-    char figures[80];
-    std::snprintf(figures, sizeof figures, "%.3g s, error %.3g/255", p.seconds(), p.error->rms);
-    std::cout << asked << ": " << p.setting.label << " (" << figures << ")\n  " << choice.command
-              << "\n";
+    std::cout << asked << ": " << p.setting.label
+              << core::formed(" (%.3g s, error %.3g/255)\n  ", p.seconds(), p.error->rms)
+              << choice.command << "\n";
     return kDone;
   }
 
@@ -252,8 +250,6 @@ class Charting {
   }
 
   static Status worse(Status a, Status b) { return a == kDone ? b : a; }
-
-  static std::string error_text(double rms) { return tool::formed("%.3g/255", rms); }
 
   const Arguments& m_arguments;
   const ChartFolder m_folder;

@@ -3,11 +3,12 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 #include <span>
 
+#include "core/base/formed.h"
 #include "shadow/pixel_orders.h"
 #include "shadow/tester_factory.h"
-#include "tools/common/formed.h"
 
 namespace lentray::chart {
 namespace {
@@ -63,10 +64,11 @@ class Matrix {
     m_out.push_back({id_of(id), label, kind, std::move(options)});
   }
 
-  /// A setting of one number a value: N of Name=N.
+  /// A setting of one number a value, but the user's own: N of Name=N.
   void sweep(Kind kind, const std::string& name, const std::string& id, const std::string& label,
-             const std::vector<double>& values) {
+             std::vector<double> values, std::optional<double> own = {}) {
     if (!m.abilities.has(name)) return;
+    if (own) std::erase(values, *own);
     for (const double value : values) {
       const std::string text = number_text(value);
       add(kind, id + "-" + text, label + " " + text, {name + "=" + text});
@@ -180,10 +182,9 @@ class Matrix {
     const SceneFacts& facts = m.facts;
     if (facts.radiosity_count == 0) return;
     const auto each = [&](const char* name, const char* words, double own,
-                          std::vector<double> values) {
-      std::erase(values, own);
+                          const std::vector<double>& values) {
       sweep(Kind::radiosity, std::string("Radiosity_") + name, "radiosity-" + id_of(words),
-            std::string("radiosity, ") + words, values);
+            std::string("radiosity, ") + words, values, own);
     };
     each("Count", "count", facts.radiosity_count,
          some({10, 35, 100, 200, 400, 800, 1600}, {35, 200, 800}));
@@ -196,20 +197,16 @@ class Matrix {
   void photons() {
     const SceneFacts& facts = m.facts;
     if (facts.photon_gather == 0) return;
-    std::vector<double> counts = some({1e3, 1e4, 1e5, 1e6}, {1e3, 1e5});
-    std::vector<double> gathers = some({25, 50, 100, 200, 400}, {50, 200});
-    std::erase(counts, facts.photon_count);
-    std::erase(gathers, facts.photon_gather);
-    sweep(Kind::photons, "Photon_Count", "photons-count", "photons, count", counts);
-    sweep(Kind::photons, "Photon_Gather", "photons-gather", "photons, gathered", gathers);
+    sweep(Kind::photons, "Photon_Count", "photons-count", "photons, count",
+          some({1e3, 1e4, 1e5, 1e6}, {1e3, 1e5}), facts.photon_count);
+    sweep(Kind::photons, "Photon_Gather", "photons-gather", "photons, gathered",
+          some({25, 50, 100, 200, 400}, {50, 200}), facts.photon_gather);
   }
 
   void subsurface() {
     if (m.facts.subsurface_samples == 0) return;
-    std::vector<double> samples = some({10, 20, 50, 100, 200, 400}, {20, 200});
-    std::erase(samples, m.facts.subsurface_samples);
     sweep(Kind::subsurface, "Subsurface_Samples", "subsurface-samples", "subsurface light, samples",
-          samples);
+          some({10, 20, 50, 100, 200, 400}, {20, 200}), m.facts.subsurface_samples);
   }
 
   void depth() {
@@ -251,14 +248,10 @@ class Matrix {
     const std::size_t count = m.facts.objects > kLongList ? 2 : 3;
     named("Accelerator", "accelerator", "accelerator", m.own.accelerator,
           std::span(kAll).first(count), "grid");
-    if (m.own.light_buffer) {
-      add(Kind::exact, "light-buffer-off", "without light buffers", {"-UL"});
-    } else {
-      add(Kind::exact, "light-buffer-on", "with light buffers", {"+UL"});
-    }
-    if (!m.quick) {
-      add(Kind::exact, "band-height-16", "bands of 16 rows", {"Band_Height=16"});
-    }
+    const bool has_buffer = m.own.light_buffer;
+    add(Kind::exact, has_buffer ? "light-buffer-off" : "light-buffer-on",
+        has_buffer ? "without light buffers" : "with light buffers", {has_buffer ? "-UL" : "+UL"});
+    if (!m.quick) add(Kind::exact, "band-height-16", "bands of 16 rows", {"Band_Height=16"});
     if (m.abilities.has("Specialised_Paths")) {
       add(Kind::exact, "paths-general", "without specialised paths", {"Specialised_Paths=Off"});
     }
@@ -289,16 +282,15 @@ std::vector<const Point*> levels_of(const std::vector<Point>& points, Kind kind)
 }  // namespace
 
 std::string number_text(double value) {
-  return tool::formed(value == std::floor(value) ? "%.0f" : "%.6g", value);
+  return core::formed(value == std::floor(value) ? "%.0f" : "%.6g", value);
 }
 
 std::vector<Setting> settings_of(const MatrixRequest& request) { return Matrix(request).all(); }
 
 std::vector<Setting> combined_settings(const std::vector<Point>& points, bool quick) {
   std::vector<std::vector<const Point*>> kinds;
-  for (const Kind kind :
-       {Kind::antialiasing, Kind::area_light, Kind::focal_blur, Kind::media, Kind::radiosity,
-        Kind::photons, Kind::subsurface, Kind::depth, Kind::quality}) {
+  for (const Kind kind : kKinds) {
+    if (kind == Kind::lens_model || kind >= Kind::combined) continue;
     std::vector<const Point*> levels = levels_of(points, kind);
     if (levels.empty()) continue;
     levels.insert(levels.begin(), nullptr);  // as the user has it

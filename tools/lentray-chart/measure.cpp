@@ -2,11 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <limits>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
+#include "core/base/formed.h"
 #include "tools/common/duration.h"
 #include "tools/common/json_text.h"
 #include "tools/common/process.h"
@@ -105,14 +105,10 @@ std::pair<double, double> spent_and_left(const Session& session, std::size_t rou
 
 std::string line_of(const Session& session, const Point& p, std::size_t round) {
   const auto number = static_cast<std::size_t>(&p - session.state.chart.points.data()) + 1;
-  std::string line = "[round " + std::to_string(round + 1) + ", " + std::to_string(number) + "/" +
-                     std::to_string(session.state.chart.points.size()) + "] " + p.setting.label;
-  if (!p.cpu_s.empty()) {
-    char text[40];
-    std::snprintf(text, sizeof text, ": %.3g s", p.cpu_s.back());
-    line += text;
-  }
-  return line;
+  const std::string line = "[round " + std::to_string(round + 1) + ", " + std::to_string(number) +
+                           "/" + std::to_string(session.state.chart.points.size()) + "] " +
+                           p.setting.label;
+  return p.cpu_s.empty() ? line : line + core::formed(": %.3g s", p.cpu_s.back());
 }
 
 }  // namespace

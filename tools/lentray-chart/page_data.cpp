@@ -3,6 +3,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "core/base/formed.h"
 #include "tools/common/json_fields.h"
 #include "tools/common/page_text.h"
 #include "tools/lentray-chart/charts.h"
@@ -16,10 +17,7 @@ constexpr std::size_t kMostText = 4000;  ///< bytes of a reason or a command
 
 /// JSON has no infinity, and four digits are enough.
 void put_number(json& out, const char* name, double value) {
-  if (!std::isfinite(value)) return;
-  char text[32];
-  std::snprintf(text, sizeof text, "%.5g", value);
-  out[name] = std::strtod(text, nullptr);
+  if (std::isfinite(value)) out[name] = std::strtod(core::formed("%.5g", value).c_str(), nullptr);
 }
 
 /// Equal pictures have no "psnr".

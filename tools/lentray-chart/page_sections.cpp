@@ -5,7 +5,7 @@
 #include <cstdio>
 #include <filesystem>
 
-#include "tools/common/formed.h"
+#include "core/base/formed.h"
 #include "tools/common/page_text.h"
 #include "tools/lentray-chart/charts.h"
 
@@ -18,8 +18,8 @@ using tool::html_text;
 std::string figure(double value) {
   if (!std::isfinite(value)) return "–";
   if (value == 0.0) return "0";
-  if (value < 1e-4) return tool::formed("%.1e", value);
-  return tool::formed(value < 0.01  ? "%.5f"
+  if (value < 1e-4) return core::formed("%.1e", value);
+  return core::formed(value < 0.01  ? "%.5f"
                       : value < 0.1 ? "%.4f"
                       : value < 1   ? "%.3f"
                       : value < 100 ? "%.2f"
@@ -28,13 +28,13 @@ std::string figure(double value) {
 }
 
 std::string time_text(double s) {
-  if (s < 0.9995) return tool::formed("%.0f ms", 1000.0 * s);
-  return tool::formed(s < 99.95 ? "%.2f s" : "%.0f s", s);
+  if (s < 0.9995) return core::formed("%.0f ms", 1000.0 * s);
+  return core::formed(s < 99.95 ? "%.2f s" : "%.0f s", s);
 }
 
 std::string share_text(double share) {
   if (share > 0.0 && share < 0.00005) return "&lt; 0.01 %";
-  return tool::formed("%.2f %%", 100.0 * share);
+  return core::formed("%.2f %%", 100.0 * share);
 }
 
 std::string tile(const std::string& name, const std::string& value) {
@@ -63,7 +63,7 @@ std::string filter(const std::string& key, const std::string& text, std::size_t 
 std::string cell(const std::string& order, const std::string& html, const char* attributes = "") {
   return std::string("<td") + attributes + " data-value=\"" + order + "\">" + html + "</td>";
 }
-std::string order(double value) { return std::isinf(value) ? "inf" : tool::formed("%.9g", value); }
+std::string order(double value) { return std::isinf(value) ? "inf" : core::formed("%.9g", value); }
 
 std::string cell_of(const std::optional<double>& value, std::string (*text)(double)) {
   if (!value || std::isnan(*value)) return cell("", "");
@@ -75,7 +75,7 @@ std::optional<double> of(const std::optional<Error>& error, double Error::*membe
 }
 
 std::string decibels(double psnr) {
-  return std::isinf(psnr) ? "equal" : tool::formed("%.1f dB", psnr);
+  return std::isinf(psnr) ? "equal" : core::formed("%.1f dB", psnr);
 }
 
 std::string time_cell(const Point& p) {

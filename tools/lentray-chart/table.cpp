@@ -1,16 +1,15 @@
 #include "tools/lentray-chart/table.h"
 
 #include <algorithm>
-#include <cstdio>
 
+#include "core/base/formed.h"
 #include "tools/common/csv.h"
-#include "tools/common/formed.h"
 #include "tools/common/shell_words.h"
 
 namespace lentray::chart {
 namespace {
 
-std::string number(double value) { return tool::formed("%.6g", value); }
+std::string number(double value) { return core::formed("%.6g", value); }
 
 /// rms, psnr, share, largest
 std::string figures(const std::optional<Error>& e) {
@@ -41,15 +40,9 @@ std::string row(const Point& p) {
 
 void add_row(std::string& out, const std::vector<std::string>& cells) {
   constexpr int kWidths[] = {9, 9, 8, 9};
-  char text[32];
-  for (std::size_t i = 0; i < 4; ++i) {
-    std::snprintf(text, sizeof text, "%*s  ", kWidths[i], cells[i].c_str());
-    out += text;
-  }
+  for (std::size_t i = 0; i < 4; ++i) out += core::formed("%*s  ", kWidths[i], cells[i].c_str());
   out += cells[4] + "\n";
 }
-
-std::string fixed(const char* how, double value) { return tool::formed(how, value); }
 
 std::string front_of(const Chart& chart, bool lens_models) {
   std::vector<const Point*> front;
@@ -64,9 +57,10 @@ std::string front_of(const Chart& chart, bool lens_models) {
   add_row(out, {"CPU s", "rms /255", "PSNR dB", "perceived", "setting"});
   for (const Point* p : front) {
     const Error& e = *p->error;
-    add_row(out, {fixed("%.3f", p->seconds()), fixed("%.3f", e.rms), fixed("%.1f", e.psnr),
-                  e.perceived ? fixed("%.3f", *e.perceived) : "-",
-                  p->setting.label + (p->told_apart ? "" : " (error not distinguished)")});
+    add_row(out,
+            {core::formed("%.3f", p->seconds()), core::formed("%.3f", e.rms),
+             core::formed("%.1f", e.psnr), e.perceived ? core::formed("%.3f", *e.perceived) : "-",
+             p->setting.label + (p->told_apart ? "" : " (error not distinguished)")});
   }
   return out;
 }

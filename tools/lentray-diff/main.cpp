@@ -1,17 +1,16 @@
 // lentray-diff: the same scene by lentray and by stock POV-Ray, compared lens by lens.
 #include <algorithm>
 #include <chrono>
-#include <cstdio>
 #include <cstdlib>
 #include <exception>
 #include <iostream>
 #include <nlohmann/json.hpp>
 
+#include "core/base/formed.h"
 #include "core/image/compare.h"
 #include "core/image/display.h"
 #include "core/image/reader.h"
 #include "core/image/run_files.h"
-#include "core/image/writer.h"
 #include "core/numeric/lens_columns.h"
 #include "parser/options/options.h"
 #include "tools/common/json_text.h"
@@ -105,14 +104,12 @@ std::string reference(Way way, const StockOptions& stock) {
 }
 
 std::string describe(const Sheet& s, Way way, const StockOptions& stock) {
-  char text[240];
-  char distance[40] = "V infinite";
-  if (s.is_finite()) std::snprintf(distance, sizeof distance, "V = %.6g mm", s.view_distance);
-  std::snprintf(text, sizeof text,
-                "integral image %u x %u: %.6g lenses of %.6g pixels, %s, %s; stock by ", s.columns,
-                s.rows, core::LensColumns{s.pixels}.counted(s.columns), s.pixels, distance,
-                s.paraxial ? "paraxial" : "pinhole");
-  return text + reference(way, stock);
+  const std::string distance =
+      s.is_finite() ? core::formed("V = %.6g mm", s.view_distance) : "V infinite";
+  return core::formed("integral image %u x %u: %.6g lenses of %.6g pixels, %s, %s; stock by ",
+                      s.columns, s.rows, core::LensColumns{s.pixels}.counted(s.columns), s.pixels,
+                      distance.c_str(), s.paraxial ? "paraxial" : "pinhole") +
+         reference(way, stock);
 }
 
 /// `sampled`: stock takes single samples where it cannot antialias.
@@ -279,14 +276,9 @@ void write_pictures(const Arguments& a, const Pair& pair, const Pair& seen) {
 void check_outputs(const Arguments& a) {
   for (const fs::path& input : a.pictures) core::note_input(input);
   for (const fs::path& input : {a.scene, a.ours, a.statistics}) core::note_input(input);
-  if (!a.json.empty()) {
-    core::check_writable(a.json);
-    core::claim_output(a.json, "--json");
-  }
+  core::claim_writable(a.json, "--json");
   for (const std::string& kind : kinds_of_pictures(a)) {
-    const std::string place = a.prefix.string() + "-" + kind + ".png";
-    core::check_writable(place);
-    core::claim_output(place, "the picture " + kind);
+    core::claim_writable(a.prefix.string() + "-" + kind + ".png", "the picture " + kind);
   }
 }
 

@@ -5,7 +5,7 @@
 #include <stdexcept>
 #include <string_view>
 
-#include "tools/common/formed.h"
+#include "core/base/formed.h"
 #include "tools/common/scene_scanner.h"
 
 namespace lentray::diff {
@@ -16,7 +16,7 @@ using tool::SceneScanner;
 
 namespace {
 
-std::string text_of(double value) { return tool::formed("%.17g", value); }
+std::string text_of(double value) { return core::formed("%.17g", value); }
 
 std::string text_of(const Vec3& v) {
   return "<" + text_of(v.x) + "," + text_of(v.y) + "," + text_of(v.z) + ">";

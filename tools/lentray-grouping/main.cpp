@@ -5,7 +5,6 @@
 #include <iostream>
 
 #include "core/image/run_files.h"
-#include "core/image/writer.h"
 #include "tools/common/gnuplot.h"
 #include "tools/common/process.h"
 #include "tools/common/tool_main.h"
@@ -18,13 +17,9 @@ enum Status : int { kDone = 0, kDiffer = 2 };
 
 int experiment(const Arguments& arguments) {
   for (const std::string& scene : arguments.scenes) core::note_input(scene);
-  for (const auto& [place, what] : {std::pair{arguments.csv, "the table"},
-                                    {arguments.html, "the page"},
-                                    {arguments.gains, "the gains"}}) {
-    if (place.empty()) continue;
-    core::check_writable(place);
-    core::claim_output(place, what);
-  }
+  core::claim_writable(arguments.csv, "the table");
+  core::claim_writable(arguments.html, "the page");
+  core::claim_writable(arguments.gains, "the gains");
   if (!arguments.html.empty()) tool::check_gnuplot();
   const bool terminal = ::isatty(STDERR_FILENO) != 0;
   const std::vector<Trial> trials = run_trials(arguments, [&](const std::string& what) {

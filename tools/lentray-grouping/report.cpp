@@ -4,8 +4,8 @@
 #include <cstdio>
 #include <filesystem>
 
+#include "core/base/formed.h"
 #include "tools/common/csv.h"
-#include "tools/common/formed.h"
 #include "tools/common/gnuplot.h"
 #include "tools/common/inline_svg.h"
 #include "tools/common/page_text.h"
@@ -22,7 +22,7 @@ std::string padded(std::string text) {
   return text;
 }
 
-std::string percent(double part) { return tool::formed("%.1f %%", 100.0 * part); }
+std::string percent(double part) { return core::formed("%.1f %%", 100.0 * part); }
 
 std::string short_name(const std::string& scene) {
   return std::filesystem::path(scene).stem().string();
@@ -57,7 +57,7 @@ std::string bars(const Group& group, Value value) {
   for (const std::string& order : distinct(group, [](const Trial& t) { return t.order; })) {
     out += order;
     for (const std::string& cache : caches_of(group)) {
-      out += "\t" + tool::formed("%.6g", value(*find(group, order, cache)));
+      out += "\t" + core::formed("%.6g", value(*find(group, order, cache)));
     }
     out += "\n";
   }
@@ -83,15 +83,15 @@ std::string cost_chart(const Group& group, const std::string& title) {
   const CostFit fit = fit_cost(group);
   std::string data;
   for (const Trial& t : group) {
-    data += tool::formed("%.6g", static_cast<double>(t.tests) * 1e-6) + "\t" +
-            tool::formed("%.6g", t.median()) + "\t" + t.order + " " + t.cache + "\n";
+    data += core::formed("%.6g", static_cast<double>(t.tests) * 1e-6) + "\t" +
+            core::formed("%.6g", t.median()) + "\t" + t.order + " " + t.cache + "\n";
   }
   const std::string script =
       tool::gnuplot_preamble("svg", 620, 380) + "set datafile separator '\\t'\nset title '" +
       title + "' noenhanced\nset xlabel 'tests for shadow rays, millions'\nset ylabel 'CPU, s'\n" +
       "set grid\nset xrange [0:*]\nset yrange [0:*]\nset key outside right\n" +
       "plot 'data' using 1:2 with points pointtype 7 title 'measured', " +
-      tool::formed("%.9g", fit.rest) + " + " + tool::formed("%.9g", fit.per_test * 1e6) +
+      core::formed("%.9g", fit.rest) + " + " + core::formed("%.9g", fit.per_test * 1e6) +
       "*x title 'equation 1'\n";
   return tool::gnuplot(script, data);
 }
@@ -104,13 +104,13 @@ struct Column {
 constexpr Column kColumns[] = {
     {"order", [](const Trial& t) { return t.order; }},
     {"cache", [](const Trial& t) { return t.cache; }},
-    {"CPU s", [](const Trial& t) { return tool::formed("%.3f", t.median()); }},
-    {"least", [](const Trial& t) { return tool::formed("%.3f", t.least()); }},
-    {"most", [](const Trial& t) { return tool::formed("%.3f", t.most()); }},
-    {"tests/ray", [](const Trial& t) { return tool::formed("%.2f", t.tests_a_ray()); }},
+    {"CPU s", [](const Trial& t) { return core::formed("%.3f", t.median()); }},
+    {"least", [](const Trial& t) { return core::formed("%.3f", t.least()); }},
+    {"most", [](const Trial& t) { return core::formed("%.3f", t.most()); }},
+    {"tests/ray", [](const Trial& t) { return core::formed("%.2f", t.tests_a_ray()); }},
     {"hits/blocked", [](const Trial& t) { return percent(t.hits_of_blocked()); }},
     {"hits/bound", [](const Trial& t) { return percent(t.hits_of_most()); }},
-    {"mean run", [](const Trial& t) { return tool::formed("%.1f", t.mean_run()); }},
+    {"mean run", [](const Trial& t) { return core::formed("%.1f", t.mean_run()); }},
     {"longest", [](const Trial& t) { return std::to_string(t.longest_run); }},
     {"picture", [](const Trial& t) { return std::string(t.same_picture ? "same" : "DIFFERS"); }},
 };
@@ -123,7 +123,7 @@ std::string heading(const Group& group) {
 }
 
 std::string gain_text(const Gain& g) {
-  return "cache " + g.cache + ", Cm/Ch " + tool::formed("%.1f", g.miss_cost) + ": columns save " +
+  return "cache " + g.cache + ", Cm/Ch " + core::formed("%.1f", g.miss_cost) + ": columns save " +
          percent(g.time) + " of the time of " + g.against + ", " + percent(g.tests) +
          " of its tests (equation 2: " + percent(g.equation2) + ")";
 }
@@ -136,9 +136,9 @@ std::string gain_chart(const std::vector<Trial>& trials) {
     for (const Gain& g : gains_of(group)) {
       if (g.cache == "off") continue;
       ++count;
-      data += tool::formed("%.6g", g.miss_cost) + "\t" + tool::formed("%.6g", 100.0 * g.time) +
-              "\t" + tool::formed("%.6g", 100.0 * g.tests) + "\t" +
-              tool::formed("%.6g", 100.0 * g.equation2) + "\n";
+      data += core::formed("%.6g", g.miss_cost) + "\t" + core::formed("%.6g", 100.0 * g.time) +
+              "\t" + core::formed("%.6g", 100.0 * g.tests) + "\t" +
+              core::formed("%.6g", 100.0 * g.equation2) + "\n";
     }
   }
   if (count < 2) return {};
@@ -160,9 +160,9 @@ std::string fastest_text(const Group& group) {
   const Trial& best = *std::min_element(group.begin(), group.end(), less);
   if (!(best.median() > 0.0)) return "";
   std::string text = "fastest: " + best.order + ", " + best.cache + ", " +
-                     tool::formed("%.3f", best.median()) + " s (" +
-                     tool::formed("%.3f", best.least()) + " to " +
-                     tool::formed("%.3f", best.most()) + ")";
+                     core::formed("%.3f", best.median()) + " s (" +
+                     core::formed("%.3f", best.least()) + " to " +
+                     core::formed("%.3f", best.most()) + ")";
   if (const Trial* decided = find(group, "auto", "auto"); decided && decided != &best) {
     text += "; auto, auto takes " + percent(decided->median() / best.median() - 1.0) + " more";
   }
@@ -274,14 +274,14 @@ std::string csv_of(const std::vector<Trial>& trials) {
     for (const std::string& text : {t.scene, t.size, t.order, t.cache, t.accelerator}) {
       out += csv_field(text) + ",";
     }
-    out += tool::formed("%.6g", t.median()) + "," + tool::formed("%.6g", t.least()) + "," +
-           tool::formed("%.6g", t.most()) + "," + std::to_string(t.rays) + "," +
+    out += core::formed("%.6g", t.median()) + "," + core::formed("%.6g", t.least()) + "," +
+           core::formed("%.6g", t.most()) + "," + std::to_string(t.rays) + "," +
            std::to_string(t.blocked) + "," + std::to_string(t.hits) + "," +
            std::to_string(t.pairs) + "," + std::to_string(t.most_hits) + "," +
-           tool::formed("%.6g", t.hits_of_blocked()) + "," +
-           tool::formed("%.6g", t.hits_of_most()) + "," + std::to_string(t.tests) + "," +
-           tool::formed("%.6g", t.tests_a_ray()) + "," + tool::formed("%.6g", t.miss_cost()) + "," +
-           std::to_string(t.runs) + "," + tool::formed("%.6g", t.mean_run()) + "," +
+           core::formed("%.6g", t.hits_of_blocked()) + "," +
+           core::formed("%.6g", t.hits_of_most()) + "," + std::to_string(t.tests) + "," +
+           core::formed("%.6g", t.tests_a_ray()) + "," + core::formed("%.6g", t.miss_cost()) + "," +
+           std::to_string(t.runs) + "," + core::formed("%.6g", t.mean_run()) + "," +
            std::to_string(t.longest_run) + "," + (t.same_picture ? "yes" : "no") + "\n";
   }
   return out;
@@ -298,13 +298,13 @@ std::string gains_csv_of(const std::vector<Trial>& trials) {
         out += csv_field(text) + ",";
       }
       const std::string columns =
-          tool::formed("%.6g", find(group, "columns", g.cache)->hits_of_blocked());
-      out += tool::formed("%.6g", g.miss_cost) + "," +
-             tool::formed("%.6g", static_cast<double>(t.blocked) / static_cast<double>(t.rays)) +
+          core::formed("%.6g", find(group, "columns", g.cache)->hits_of_blocked());
+      out += core::formed("%.6g", g.miss_cost) + "," +
+             core::formed("%.6g", static_cast<double>(t.blocked) / static_cast<double>(t.rays)) +
              "," + columns + "," +
-             tool::formed("%.6g", find(group, g.against, g.cache)->hits_of_blocked()) + "," +
-             tool::formed("%.6g", g.tests) + "," + tool::formed("%.6g", g.equation2) + "," +
-             tool::formed("%.6g", g.time) + "\n";
+             core::formed("%.6g", find(group, g.against, g.cache)->hits_of_blocked()) + "," +
+             core::formed("%.6g", g.tests) + "," + core::formed("%.6g", g.equation2) + "," +
+             core::formed("%.6g", g.time) + "\n";
     }
   }
   return out;

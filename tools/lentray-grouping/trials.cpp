@@ -96,12 +96,8 @@ std::vector<Trial> trials_of(const Arguments& arguments, const std::string& scen
 }  // namespace
 
 double Trial::median() const { return tool::median_of(cpu_s); }
-double Trial::least() const {
-  return cpu_s.empty() ? 0.0 : *std::min_element(cpu_s.begin(), cpu_s.end());
-}
-double Trial::most() const {
-  return cpu_s.empty() ? 0.0 : *std::max_element(cpu_s.begin(), cpu_s.end());
-}
+double Trial::least() const { return cpu_s.empty() ? 0.0 : std::ranges::min(cpu_s); }
+double Trial::most() const { return cpu_s.empty() ? 0.0 : std::ranges::max(cpu_s); }
 double Trial::tests_a_ray() const { return part(tests, rays); }
 double Trial::hits_of_blocked() const { return part(hits, blocked); }
 double Trial::hits_of_most() const { return part(hits, most_hits); }

@@ -1,6 +1,6 @@
 #include "tools/lentray-model/deviations.h"
+#include "core/base/formed.h"
 #include "tools/common/csv.h"
-#include "tools/common/formed.h"
 
 #include <cmath>
 #include <cstdio>
@@ -110,7 +110,7 @@ std::string csv_of(const std::vector<Deviation>& all) {
   for (const Deviation& d : all) {
     out += d.style + "," + shadow::paper::name_of(d.alpha) + "," + d.region + "," +
            std::to_string(d.points) + "," + std::to_string(d.equal) + "," +
-           tool::formed("%.6g", d.mean) + "," + tool::formed("%.6g", d.mean_relative) + "," +
+           core::formed("%.6g", d.mean) + "," + core::formed("%.6g", d.mean_relative) + "," +
            number_text(d.worst) + "," + number_text(d.at.a) + "," + number_text(d.at.d) + "," +
            std::to_string(*d.at.closed(d.alpha)) + "," + std::to_string(d.at.enumerated) + "\n";
   }
@@ -124,8 +124,8 @@ std::string table_of(const std::vector<Deviation>& all) {
   for (const Deviation& d : all) {
     out += padded(d.style, 10, true) + padded(shadow::paper::name_of(d.alpha), 11, true) +
            padded(d.region, 9, true) + padded(std::to_string(d.points), 8) +
-           padded(std::to_string(d.equal), 8) + padded(tool::formed("%.1f", d.mean), 11) +
-           padded(tool::formed("%.1f %%", 100.0 * d.mean_relative), 10) +
+           padded(std::to_string(d.equal), 8) + padded(core::formed("%.1f", d.mean), 11) +
+           padded(core::formed("%.1f %%", 100.0 * d.mean_relative), 10) +
            padded(number_text(d.worst), 11) + "  " + number_text(d.at.a) + ", " +
            number_text(d.at.d) + ": " + std::to_string(*d.at.closed(d.alpha)) + " for " +
            std::to_string(d.at.enumerated) + "\n";

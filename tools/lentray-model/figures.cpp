@@ -5,7 +5,6 @@
 #include <stdexcept>
 
 #include "core/image/run_files.h"
-#include "core/image/writer.h"
 #include "tools/common/gnuplot.h"
 #include "tools/common/process.h"
 #include "tools/lentray-model/sweeps.h"
@@ -220,8 +219,7 @@ void check_figures(const Arguments& a) {
   for (const std::string& name : a.figures) {
     for (const std::string& kind : {a.format, std::string("csv")}) {
       if (kind == "csv" && shows_grid(name)) continue;
-      core::check_writable(chart_place(a, name, kind));
-      core::claim_output(chart_place(a, name, kind), "figure " + name + " as " + kind);
+      core::claim_writable(chart_place(a, name, kind), "figure " + name + " as " + kind);
     }
     if (shows_grid(name) && (a.a.values().size() < 2 || a.d.values().size() < 2)) {
       throw std::runtime_error("figure " + name +

@@ -9,7 +9,6 @@
 #include <mutex>
 
 #include "core/image/run_files.h"
-#include "core/image/writer.h"
 #include "tools/common/gnuplot.h"
 #include "tools/common/process.h"
 #include "tools/common/tool_main.h"
@@ -26,11 +25,8 @@ enum Status : int { kDone = 0, kDiffer = 2 };
 
 /// Files are asked for before anything is computed, so that no work is lost on them.
 void check_outputs(const Arguments& a) {
-  for (const auto& [place, what] : {std::pair{a.csv, "CSV"}, {a.deviations, "the deviations"}}) {
-    if (place.empty() || place == "-") continue;
-    core::check_writable(place);
-    core::claim_output(place, what);
-  }
+  core::claim_writable(a.csv, "CSV");
+  core::claim_writable(a.deviations, "the deviations");
   check_figures(a);
 }
 

@@ -5,7 +5,7 @@
 #include <string>
 
 #include "camera/text.h"
-#include "tools/common/formed.h"
+#include "core/base/formed.h"
 #include "tools/lentray-print/letters.h"
 #include "tools/lentray-print/lines.h"
 #include "tools/lentray-print/page_error.h"
@@ -22,7 +22,7 @@ constexpr double kRulerRoom = 11.0;
 constexpr double kLeastBand = 2.5, kMostBand = 25.0, kBandGap = 0.6;
 
 std::string with_decimals(double value, int decimals) {
-  return tool::formed("%.*f", decimals, value);
+  return core::formed("%.*f", decimals, value);
 }
 
 /// Where the bands go.

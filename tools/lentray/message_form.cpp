@@ -1,7 +1,7 @@
 #include "tools/lentray/message_form.h"
 
 #include "camera/text.h"
-#include "tools/common/formed.h"
+#include "core/base/formed.h"
 #include "tools/common/progress_bar.h"
 #include "tools/lentray/run_summary.h"
 #include "tools/lentray/stock_form.h"
@@ -15,12 +15,12 @@ using parser::RenderOptions;
 std::string frame_line(const RenderOptions& one, const parser::FrameClock& clock,
                        std::size_t number, std::size_t count) {
   if (one.animation.views.count > 0) {
-    return formed("View %zu of %zu (number %u)", number, count,
-                  parser::rendered_view(one).value_or(0)) +
+    return core::formed("View %zu of %zu (number %u)", number, count,
+                        parser::rendered_view(one).value_or(0)) +
            (clock.clock_on ? ", clock " + camera::format(clock.clock) : "") + "\n";
   }
-  return formed("Frame %d (%zu of %zu), clock %g\n", clock.frame_number, number, count,
-                clock.clock);
+  return core::formed("Frame %d (%zu of %zu), clock %g\n", clock.frame_number, number, count,
+                      clock.clock);
 }
 
 class OwnForm final : public MessageForm {

@@ -167,10 +167,7 @@ Status run_loop(const RenderOptions& options, Loop& loop, MessageForm& form) {
 Status run(const RenderOptions& options, const std::atomic<bool>& cancel, MessageForm& form,
            Warnings& warnings) {
   const SceneFile file(options);
-  if (const std::string ini = parser::ini_path(options); !ini.empty()) {
-    core::check_writable(ini);
-    core::claim_output(ini, "Create_Ini");
-  }
+  core::claim_writable(parser::ini_path(options), "Create_Ini");
   Loop loop(options, file.path(), cancel, form, warnings);
   try {
     const Status status = run_loop(options, loop, form);

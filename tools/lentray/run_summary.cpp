@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <string>
 
-#include "tools/common/formed.h"
+#include "core/base/formed.h"
 
 namespace lentray::tool {
 namespace {
@@ -18,18 +18,18 @@ std::string grouped(std::uint64_t number) {
 }
 
 std::string share(std::uint64_t part, std::uint64_t all) {
-  return formed("%.1f %%",
-                all == 0 ? 0.0 : 100.0 * static_cast<double>(part) / static_cast<double>(all));
+  return core::formed(
+      "%.1f %%", all == 0 ? 0.0 : 100.0 * static_cast<double>(part) / static_cast<double>(all));
 }
 
 /// "Pass:    radiosity 3.21 s: samples 5,779, gathers 12,000".
 std::string pass_line(const core::PassReport& pass) {
-  std::string out = "\nPass:    " + pass.name + formed(" %.2f s", pass.wall_s);
+  std::string out = "\nPass:    " + pass.name + core::formed(" %.2f s", pass.wall_s);
   for (std::size_t i = 0; i < pass.numbers.size(); ++i) {
     const auto& [name, value] = pass.numbers[i];
     const bool is_count = value >= 0.0 && value < 1e18 && value == std::floor(value);
     out += (i == 0 ? ": " : ", ") + name + " ";
-    out += is_count ? grouped(static_cast<std::uint64_t>(value)) : formed("%.4g", value);
+    out += is_count ? grouped(static_cast<std::uint64_t>(value)) : core::formed("%.4g", value);
   }
   return out;
 }
@@ -43,7 +43,7 @@ std::string stages_text(const core::MemoryStages& stages) {
     std::string name(stage.name);
     std::ranges::replace(name, '_', ' ');
     out += (out.empty() ? ": " : ", ") + name +
-           formed(" %.0f MB", static_cast<double>(stage.bytes) * 1e-6);
+           core::formed(" %.0f MB", static_cast<double>(stage.bytes) * 1e-6);
   }
   return out;
 }
@@ -64,14 +64,14 @@ std::string summary(const shadow::RunReport& report, const std::string& output) 
          grouped(shadow.rays);
   if (shadow.rays > 0) out += " (" + share(shadow.blocked, shadow.rays) + " blocked)";
   for (const core::PassReport& pass : report.passes) out += pass_line(pass);
-  out += formed(
+  out += core::formed(
       "\nSeconds: reading %.2f, building %.2f, rendering %.2f (CPU, %d thread%s), writing %.2f\n",
       report.parse_cpu_s, report.compile_cpu_s, report.render_cpu_s, report.threads,
       report.threads == 1 ? "" : "s", report.write_cpu_s);
-  out += formed("Memory:  %.0f MB at most", static_cast<double>(report.peak_bytes) * 1e-6);
+  out += core::formed("Memory:  %.0f MB at most", static_cast<double>(report.peak_bytes) * 1e-6);
   out += stages_text(report.memory) + "\n";
   return out + (output.empty() ? "No file" : output) +
-         formed(": %u x %u pixels in %.2f s\n", report.width, report.height, report.wall_s);
+         core::formed(": %u x %u pixels in %.2f s\n", report.width, report.height, report.wall_s);
 }
 
 }  // namespace lentray::tool

@@ -6,8 +6,8 @@
 #include <mutex>
 #include <string_view>
 
+#include "core/base/formed.h"
 #include "parser/base/shown.h"
-#include "tools/common/formed.h"
 #include "tools/common/version.h"
 #include "tools/lentray/run.h"
 #include "tools/session/stock_radiosity.h"
@@ -64,9 +64,10 @@ std::string output_line(const RenderOptions& o, const std::string& output) {
   const auto* row = std::find_if(std::begin(kTypes), std::end(kTypes),
                                  [&](const TypeName& one) { return one.type == type; });
   const bool deep = o.bits > 8 && (type == core::FileType::png || type == core::FileType::ppm);
-  const std::string depth = o.grayscale ? std::string("grayscale")
-                                        : formed("%d bpp%s", (o.alpha ? 4 : 3) * (deep ? 16 : 8),
-                                                 o.alpha ? " with alpha" : "");
+  const std::string depth = o.grayscale
+                                ? std::string("grayscale")
+                                : core::formed("%d bpp%s", (o.alpha ? 4 : 3) * (deep ? 16 : 8),
+                                               o.alpha ? " with alpha" : "");
   return "  Output file.........." + (output == "-" ? "stdout" : output) + ", " + depth + " " +
          row->name + "\n";
 }
@@ -74,14 +75,15 @@ std::string output_line(const RenderOptions& o, const std::string& output) {
 /// Seconds in words, behind a label; then who took them.
 std::string time_lines(const char* label, double seconds, int threads, double cpu_seconds) {
   const auto whole = static_cast<long>(seconds);
-  return formed("  %-16s%3ld hours %2ld minutes %2ld seconds (%.3f seconds)\n", label, whole / 3600,
-                whole / 60 % 60, whole % 60, seconds) +
-         formed("              using %d thread(s) with %.3f CPU-seconds total\n", threads,
-                cpu_seconds);
+  return core::formed("  %-16s%3ld hours %2ld minutes %2ld seconds (%.3f seconds)\n", label,
+                      whole / 3600, whole / 60 % 60, whole % 60, seconds) +
+         core::formed("              using %d thread(s) with %.3f CPU-seconds total\n", threads,
+                      cpu_seconds);
 }
 
 std::string count_line(const char* label, std::uint64_t count) {
-  return count == 0 ? "" : formed("%-17s%18llu\n", label, static_cast<unsigned long long>(count));
+  return count == 0 ? ""
+                    : core::formed("%-17s%18llu\n", label, static_cast<unsigned long long>(count));
 }
 
 /// Several lines over each other on a terminal, as POV-Ray's: all but the last end in CR alone.
@@ -113,7 +115,7 @@ class PixelLines final : public core::Progress {
 }  // namespace
 
 std::string stock_title() {
-  return formed(
+  return core::formed(
       "POV-Ray %s compatible: Lentray %s\n\nThis is not POV-Ray, but a renderer that "
       "reads its scenes and options.\n",
       kPovRayVersion, kVersion);
@@ -140,25 +142,25 @@ void StockForm::begin_run() { say(stock_title() + "\n"); }
 
 void StockForm::begin_frame(const RenderOptions&, const parser::FrameClock&, std::size_t number,
                             std::size_t count) {
-  say(formed("\nRendering frame %zu of %zu\n", number, count));
+  say(core::formed("\nRendering frame %zu of %zu\n", number, count));
 }
 
 void StockForm::begin_reading(const RenderOptions& o, const parser::FrameClock& clock,
                               const std::string& output) {
   m_rendering = false;
   std::string text = "Parser Options\n  Input file: " + o.input + "\n";
-  text +=
-      formed("  Clock value: %8.3f  (Animation %s)\n", clock.clock, clock.clock_on ? "on" : "off");
+  text += core::formed("  Clock value: %8.3f  (Animation %s)\n", clock.clock,
+                       clock.clock_on ? "on" : "off");
   text += "Image Output Options\n";
-  text += formed("  Image resolution.....%lld by %lld", static_cast<long long>(o.width),
-                 static_cast<long long>(o.height));
+  text += core::formed("  Image resolution.....%lld by %lld", static_cast<long long>(o.width),
+                       static_cast<long long>(o.height));
   const bool is_part = o.start_row || o.end_row || o.start_column || o.end_column;
   if (!is_part) {
-    text += formed(" (rows 1 to %lld, columns 1 to %lld)", static_cast<long long>(o.height),
-                   static_cast<long long>(o.width));
+    text += core::formed(" (rows 1 to %lld, columns 1 to %lld)", static_cast<long long>(o.height),
+                         static_cast<long long>(o.width));
   }
   text += ".\n" + output_line(o, output);
-  text += formed("  Continued trace......%s\n", on_off(o.continues));
+  text += core::formed("  Continued trace......%s\n", on_off(o.continues));
   texts().write(Stream::kRender, text);
   say(title("Parsing"));
 }
@@ -170,12 +172,12 @@ void StockForm::begin_rendering(const RenderOptions& o, const shadow::RunReport&
                     time_lines("Parse Time:", report.parse_cpu_s, 1, report.parse_cpu_s) +
                     time_lines("Bounding Time:", report.compile_cpu_s, 1, report.compile_cpu_s) +
                     rule());
-  std::string text = formed("Render Options\n  Quality:  %d\n", o.quality);
-  text += formed("  Antialiasing.........%s", on_off(o.antialias));
+  std::string text = core::formed("Render Options\n  Quality:  %d\n", o.quality);
+  text += core::formed("  Antialiasing.........%s", on_off(o.antialias));
   if (o.antialias) {
-    text += formed("  (Method %d, Threshold %.3f, Depth %d, Jitter %.2f, Gamma %.2f)",
-                   o.sampling_method, o.antialias_threshold, o.antialias_depth,
-                   o.jitter ? o.jitter_amount : 0.0, o.antialias_gamma);
+    text += core::formed("  (Method %d, Threshold %.3f, Depth %d, Jitter %.2f, Gamma %.2f)",
+                         o.sampling_method, o.antialias_threshold, o.antialias_depth,
+                         o.jitter ? o.jitter_amount : 0.0, o.antialias_gamma);
   }
   texts().write(Stream::kRender, text + "\n");
   say(title("Rendering"));
@@ -203,19 +205,20 @@ void StockForm::end_picture(const RenderOptions&, const shadow::RunReport& repor
   const bool is_part = m_pixels < std::uint64_t{report.width} * report.height;
   std::string text = rule() + "Render Statistics";
   text += is_part ? " (Partial Image Rendered)\n" : "\n";
-  text += formed("Image Resolution %u x %u\n", report.width, report.height) + rule();
-  text += formed(
+  text += core::formed("Image Resolution %u x %u\n", report.width, report.height) + rule();
+  text += core::formed(
       "Pixels:   %15llu   Samples: %15llu   Smpls/Pxl: %.2f\n",
       static_cast<unsigned long long>(m_pixels), static_cast<unsigned long long>(samples),
       static_cast<double>(samples) / static_cast<double>(std::max<std::uint64_t>(m_pixels, 1)));
   text +=
-      formed("Rays:     %15llu\n",
-             static_cast<unsigned long long>(c.camera_rays + c.reflected_rays + c.refracted_rays)) +
+      core::formed("Rays:     %15llu\n", static_cast<unsigned long long>(
+                                             c.camera_rays + c.reflected_rays + c.refracted_rays)) +
       rule();
   text += count_line("Shadow Rays:", shadow.rays) + count_line("Shadowed Rays:", shadow.blocked) +
           count_line("Reflected Rays:", c.reflected_rays) +
           count_line("Refracted Rays:", c.refracted_rays) + rule();
-  text += formed("Peak Memory:      %14.0f MB\n", static_cast<double>(report.peak_bytes) * 1e-6);
+  text +=
+      core::formed("Peak Memory:      %14.0f MB\n", static_cast<double>(report.peak_bytes) * 1e-6);
   text +=
       "Render Time:\n" + time_lines("Trace Time:", seconds, report.threads, report.render_cpu_s);
   texts().write(Stream::kStatistics, text);

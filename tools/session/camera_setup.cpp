@@ -6,9 +6,7 @@
 #include "camera/bent.h"
 #include "camera/blurred.h"
 #include "camera/conversion.h"
-#include "camera/curved.h"
-#include "camera/orthographic.h"
-#include "camera/perspective.h"
+#include "camera/projected.h"
 #include "camera/sheet_views.h"
 #include "camera/text.h"
 #include "camera/thin_lens.h"
@@ -47,15 +45,9 @@ camera::Sheet make_sheet(const parser::CameraRequest& request, const CameraOptio
 std::unique_ptr<camera::Camera> make_ordinary(const parser::CameraRequest& request,
                                               const CameraOptions& options) {
   const std::uint32_t width = options.width, height = options.height;
-  if (request.kind == "perspective") {
-    return std::make_unique<camera::Perspective>(request.projection, width, height);
-  }
-  if (request.kind == "orthographic") {
-    return std::make_unique<camera::Orthographic>(request.projection, width, height);
-  }
-  if (const auto kind = camera::curved_kind(request.kind, request.cylinder_type)) {
-    return std::make_unique<camera::Curved>(*kind, request.projection, request.angles, width,
-                                            height);
+  if (const auto kind = camera::projected_kind(request.kind, request.cylinder_type)) {
+    return std::make_unique<camera::Projected>(*kind, request.projection, request.angles, width,
+                                               height);
   }
   if (request.mesh) return std::make_unique<camera::MeshCamera>(*request.mesh, width, height);
   throw camera::CameraError("the camera kind `" + request.kind + "`: not yet");

@@ -6,7 +6,7 @@
 
 #include "camera/parallax.h"
 #include "camera/text.h"
-#include "tools/common/formed.h"
+#include "core/base/formed.h"
 #include "tools/common/page_text.h"
 #include "tools/session/depth_plan.h"
 
@@ -20,7 +20,7 @@ using camera::SeenObject;
 constexpr std::size_t kMostListed = 24;
 constexpr double kRowHeight = 20.0;
 
-std::string svg_number(double value) { return formed("%.1f", value); }
+std::string svg_number(double value) { return core::formed("%.1f", value); }
 
 std::string svg_text(double x, double y, const std::string& text, const std::string& more = "") {
   return "<text x=\"" + svg_number(x) + "\" y=\"" + svg_number(y) + "\"" +

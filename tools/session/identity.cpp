@@ -8,15 +8,15 @@
 #include <sstream>
 #include <stdexcept>
 
+#include "core/base/formed.h"
 #include "parser/files/watched_files.h"
 #include "parser/options/create_ini.h"
-#include "tools/common/formed.h"
 #include "tools/common/version.h"
 
 namespace lentray::tool {
 namespace {
 
-std::string hexadecimal(std::uint64_t value) { return formed("%016" PRIx64, value); }
+std::string hexadecimal(std::uint64_t value) { return core::formed("%016" PRIx64, value); }
 
 /// The build id that linkers put into a program's notes.
 int read_build_id(dl_phdr_info* info, std::size_t, void* out) {

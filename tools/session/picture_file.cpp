@@ -3,7 +3,7 @@
 #include <variant>
 
 #include "camera/text.h"
-#include "tools/common/formed.h"
+#include "core/base/formed.h"
 #include "tools/common/machine.h"
 #include "tools/common/version.h"
 
@@ -15,7 +15,7 @@ std::string text_of(const camera::Property& property) {
   if (const auto* vector = std::get_if<core::Vec3>(&property.second)) {
     return camera::text_of(*vector);
   }
-  return formed("%.17g", std::get<double>(property.second));
+  return core::formed("%.17g", std::get<double>(property.second));
 }
 
 core::ImageMetadata metadata(const CameraSetup& setup) {

@@ -2,7 +2,7 @@
 
 #include <cstdint>
 
-#include "tools/common/formed.h"
+#include "core/base/formed.h"
 
 namespace lentray::tool {
 namespace {
@@ -28,33 +28,33 @@ std::string block(const std::string& what, const char* samples, const GatherCoun
   const double share =
       c.queries == 0 ? 0.0
                      : 100.0 * static_cast<double>(c.gathers) / static_cast<double>(c.queries);
-  std::string out =
-      formed("%-35s%11llu (%.2f %%)\n", ("Radiosity " + what + samples + "calculated:").c_str(),
-             number(c.gathers), share);
-  out += formed("%-35s%11llu\n", ("Radiosity " + what + samples + "reused:").c_str(),
-                number(c.queries - c.gathers));
-  out += formed("%-35s%11llu\n",
-                ("Radiosity " + what + (*samples ? "sample " : "") + "rays shot:").c_str(),
-                number(c.rays));
+  std::string out = core::formed("%-35s%11llu (%.2f %%)\n",
+                                 ("Radiosity " + what + samples + "calculated:").c_str(),
+                                 number(c.gathers), share);
+  out += core::formed("%-35s%11llu\n", ("Radiosity " + what + samples + "reused:").c_str(),
+                      number(c.queries - c.gathers));
+  out += core::formed("%-35s%11llu\n",
+                      ("Radiosity " + what + (*samples ? "sample " : "") + "rays shot:").c_str(),
+                      number(c.rays));
   return out;
 }
 
 std::string row(const std::string& title, const std::vector<GatherCounts>& depths) {
-  std::string out = formed("  %-5s", title.c_str());
+  std::string out = core::formed("  %-5s", title.c_str());
   std::uint64_t sum = 0;
   for (const GatherCounts& depth : depths) {
-    out += formed(" %10s", depth.gathers == 0 ? "-" : std::to_string(depth.gathers).c_str());
+    out += core::formed(" %10s", depth.gathers == 0 ? "-" : std::to_string(depth.gathers).c_str());
     sum += depth.gathers;
   }
-  return out + formed(" %15llu\n", number(sum));
+  return out + core::formed(" %15llu\n", number(sum));
 }
 
 std::string table(const RadiosityReport& report, const std::vector<GatherCounts>& depths) {
   const std::string rule(76, '-');
   std::string out = "  Pass ";
   for (std::size_t i = 0; i < depths.size(); ++i)
-    out += formed(" %10s", ("Depth " + std::to_string(i)).c_str());
-  out += formed(" %15s\n", "Total") + rule + "\n";
+    out += core::formed(" %10s", ("Depth " + std::to_string(i)).c_str());
+  out += core::formed(" %15s\n", "Total") + rule + "\n";
   for (std::size_t i = 0; i < report.levels.size(); ++i) {
     const bool is_last = i + 1 == report.levels.size();
     out += row(is_last ? "Final" : std::to_string(i + 1), report.levels[i].depths);

@@ -1,9 +1,9 @@
-#include "tools/common/formed.h"
+#include "core/base/formed.h"
 
 #include <cstdarg>
 #include <cstdio>
 
-namespace lentray::tool {
+namespace lentray::core {
 
 std::string formed(const char* how, ...) {
   va_list values, again;
@@ -17,4 +17,4 @@ std::string formed(const char* how, ...) {
   return text;
 }
 
-}  // namespace lentray::tool
+}  // namespace lentray::core

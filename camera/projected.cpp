@@ -1,6 +1,8 @@
-#include "camera/curved.h"
+#include "camera/projected.h"
 
+#include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <numbers>
 
 #include "core/base/transform.h"
@@ -13,45 +15,43 @@ using core::Vec3;
 constexpr double kPi = std::numbers::pi;
 constexpr double kRadians = kPi / 180.0;
 
-bool keeps_lengths(CurvedKind kind) {
-  return kind == CurvedKind::kPanoramic || kind == CurvedKind::kSpherical;
+/// In the order of ProjectedKind; the kinds of cylinder share the last one.
+constexpr std::string_view kNames[] = {"perspective",      "orthographic", "fisheye",
+                                       "ultra_wide_angle", "omnimax",      "panoramic",
+                                       "spherical",        "cylinder"};
+constexpr std::size_t kCylinder = std::size(kNames) - 1;
+static_assert(kCylinder == static_cast<std::size_t>(ProjectedKind::kCylinder1));
+
+bool keeps_lengths(ProjectedKind kind) {
+  return kind <= ProjectedKind::kOrthographic || kind == ProjectedKind::kPanoramic ||
+         kind == ProjectedKind::kSpherical;
 }
 
 }  // namespace
 
-Curved::Curved(CurvedKind kind, const Projection& projection, const CurvedAngles& angles,
-               std::uint32_t width, std::uint32_t height)
-    : m_kind(kind), m_projection(projection), m_angles(angles), m_wide(length(projection.right)),
-      m_high(length(projection.up)), m_width(width), m_height(height) {
+Projected::Projected(ProjectedKind kind, const Projection& projection,
+                     const ProjectedAngles& angles, std::uint32_t width, std::uint32_t height)
+    : Camera(kNames[std::min(static_cast<std::size_t>(kind), kCylinder)], width, height),
+      m_kind(kind), m_projection(projection), m_angles(angles), m_wide(length(projection.right)),
+      m_high(length(projection.up)) {
   if (keeps_lengths(kind)) return;
   m_projection.right = normalized(m_projection.right);
   m_projection.up = normalized(m_projection.up);
   m_projection.direction = normalized(m_projection.direction);
 }
 
-std::string_view Curved::name() const {
-  switch (m_kind) {
-    case CurvedKind::kFisheye: return "fisheye";
-    case CurvedKind::kUltraWideAngle: return "ultra_wide_angle";
-    case CurvedKind::kOmnimax: return "omnimax";
-    case CurvedKind::kPanoramic: return "panoramic";
-    case CurvedKind::kSpherical: return "spherical";
-    default: return "cylinder";
-  }
-}
-
-Vec3 Curved::frame(double right, double up, double direction) const {
+Vec3 Projected::frame(double right, double up, double direction) const {
   return m_projection.right * right + m_projection.up * up + m_projection.direction * direction;
 }
 
 /// A direction `angle` off the axis, towards (x, y) of that radius.
-bool Curved::around(double radius, double x, double y, double angle, Vec3& direction) const {
+bool Projected::around(double radius, double x, double y, double angle, Vec3& direction) const {
   const double cosine = radius > 0.0 ? x / radius : 1.0, sine = radius > 0.0 ? y / radius : 0.0;
   direction = frame(cosine * std::sin(angle), sine * std::sin(angle), std::cos(angle));
   return true;
 }
 
-bool Curved::fisheye(double x, double y, Vec3& direction) const {
+bool Projected::fisheye(double x, double y, Vec3& direction) const {
   x *= 2.0 * m_wide;
   y *= 2.0 * m_high;
   const double radius = std::sqrt(x * x + y * y);
@@ -59,7 +59,7 @@ bool Curved::fisheye(double x, double y, Vec3& direction) const {
   return around(radius, x, y, 0.5 * radius * m_angles.angle * kRadians, direction);
 }
 
-bool Curved::omnimax(double x, double y, Vec3& direction) const {
+bool Projected::omnimax(double x, double y, Vec3& direction) const {
   constexpr double kFullAspect = 1.283458;  // of the whole dome
   const double aspect = m_wide / m_high;
   x *= 2.0;
@@ -81,7 +81,7 @@ bool Curved::omnimax(double x, double y, Vec3& direction) const {
   return around(r, x, y, angle, direction);
 }
 
-Vec3 Curved::panoramic(double x, double y) const {
+Vec3 Projected::panoramic(double x, double y) const {
   constexpr double kStraightUp = 1e10, kTiny = 1e-10;
   const double along = (0.5 - x) * kPi, upwards = kPi * y;
   double slope = std::tan(upwards);
@@ -90,7 +90,7 @@ Vec3 Curved::panoramic(double x, double y) const {
   return frame(std::cos(along), slope, std::sin(along));
 }
 
-Vec3 Curved::spherical(double x, double y) const {
+Vec3 Projected::spherical(double x, double y) const {
   const auto turn = [](const Vec3& axis, double angle) {
     return core::Transform::axis_rotation(axis, angle);
   };
@@ -99,64 +99,58 @@ Vec3 Curved::spherical(double x, double y) const {
   return turn(m_projection.up, x * m_angles.horizontal * kRadians).vector(lifted);
 }
 
-bool Curved::aim(double column, double row, core::Ray& ray) const {
-  const double x = column / m_width - 0.5, y = 0.5 - row / m_height;
+bool Projected::aim(double column, double row, core::Ray& ray) const {
+  const double x = column / width() - 0.5, y = 0.5 - row / height();
   const double a = x * m_angles.angle * kRadians, b = y * m_angles.angle * kRadians;
   const Vec3& start = m_projection.location;
   ray.origin = start;
-  Vec3 direction;
+  Vec3& direction = ray.direction;
   switch (m_kind) {
-    case CurvedKind::kFisheye:
-      if (!fisheye(x, y, direction)) return false;
+    case ProjectedKind::kPerspective:
+      direction = m_projection.direction + m_projection.right * x + m_projection.up * y;
       break;
-    case CurvedKind::kOmnimax:
-      if (!omnimax(x, y, direction)) return false;
+    case ProjectedKind::kOrthographic:
+      ray.origin = start + m_projection.right * x + m_projection.up * y;
+      direction = m_projection.direction;
       break;
-    case CurvedKind::kPanoramic: direction = panoramic(x, y); break;
-    case CurvedKind::kSpherical: direction = spherical(x, y); break;
-    case CurvedKind::kUltraWideAngle: {
+    case ProjectedKind::kFisheye: return fisheye(x, y, direction);
+    case ProjectedKind::kOmnimax: return omnimax(x, y, direction);
+    case ProjectedKind::kPanoramic: direction = panoramic(x, y); break;
+    case ProjectedKind::kSpherical: direction = spherical(x, y); break;
+    case ProjectedKind::kUltraWideAngle: {
       const double up = b * m_high / m_wide;
       direction = frame(std::sin(a), std::sin(up), std::cos(a) * std::cos(up));
       break;
     }
-    case CurvedKind::kCylinder1: direction = frame(std::sin(a), y * m_high, std::cos(a)); break;
-    case CurvedKind::kCylinder2: direction = frame(x * m_wide, std::sin(b), std::cos(b)); break;
-    case CurvedKind::kCylinder3:
+    case ProjectedKind::kCylinder1: direction = frame(std::sin(a), y * m_high, std::cos(a)); break;
+    case ProjectedKind::kCylinder2: direction = frame(x * m_wide, std::sin(b), std::cos(b)); break;
+    case ProjectedKind::kCylinder3:
       direction = frame(std::sin(a), 0.0, std::cos(a));
       ray.origin = start + m_projection.up * (y * m_high);
       break;
-    case CurvedKind::kCylinder4:
+    case ProjectedKind::kCylinder4:
       direction = frame(0.0, std::sin(b), std::cos(b));
       ray.origin = start + m_projection.right * (x * m_wide);
       break;
   }
-  ray.direction = direction;
   return true;
 }
 
-bool Curved::ray(double column, double row, core::Ray& ray) const {
+bool Projected::ray(double column, double row, core::Ray& ray) const {
   if (!aim(column, row, ray)) return false;
   ray.direction = normalized(ray.direction);
   return true;
 }
 
-bool Curved::sight(const core::PixelPlace& place, core::Ray& out) const {
+bool Projected::sight(const core::PixelPlace& place, core::Ray& out) const {
   return aim(place.column + 0.5 + place.across, place.row + 0.5 + place.down, out);
 }
 
-std::optional<CurvedKind> curved_kind(std::string_view word, int cylinder_type) {
-  if (word == "fisheye") return CurvedKind::kFisheye;
-  if (word == "ultra_wide_angle") return CurvedKind::kUltraWideAngle;
-  if (word == "omnimax") return CurvedKind::kOmnimax;
-  if (word == "panoramic") return CurvedKind::kPanoramic;
-  if (word == "spherical") return CurvedKind::kSpherical;
-  if (word != "cylinder") return std::nullopt;
-  switch (cylinder_type) {
-    case 2: return CurvedKind::kCylinder2;
-    case 3: return CurvedKind::kCylinder3;
-    case 4: return CurvedKind::kCylinder4;
-    default: return CurvedKind::kCylinder1;
-  }
+std::optional<ProjectedKind> projected_kind(std::string_view word, int cylinder_type) {
+  const auto kind = static_cast<int>(std::ranges::find(kNames, word) - std::begin(kNames));
+  if (kind > static_cast<int>(kCylinder)) return std::nullopt;
+  const bool has_type = word == "cylinder" && cylinder_type >= 2 && cylinder_type <= 4;
+  return static_cast<ProjectedKind>(kind + (has_type ? cylinder_type - 1 : 0));
 }
 
 }  // namespace lentray::camera

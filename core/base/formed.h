@@ -3,8 +3,8 @@
 
 #include <string>
 
-namespace lentray::tool {
+namespace lentray::core {
 
 [[gnu::format(printf, 1, 2)]] std::string formed(const char* how, ...);
 
-}  // namespace lentray::tool
+}  // namespace lentray::core

@@ -1,6 +1,10 @@
-// Cameras whose picture is not flat: fisheye, ultra_wide_angle, omnimax, panoramic, spherical and
-// the four kinds of cylinder. Frames as given by the scene: right, up and direction need not be
-// perpendicular. Pixels that such a camera does not see have no ray.
+// Cameras of one frame and one projection: perspective, orthographic, fisheye, ultra_wide_angle,
+// omnimax, panoramic, spherical and the four kinds of cylinder. Frames as given by the scene:
+// right, up and direction need not be perpendicular. Pixels that a camera does not see have no ray.
+//
+// Pixel (i, k) lies at x = (i+.5)/W - .5, y = .5 - (k+.5)/H. Its perspective ray runs from location
+// along direction + x right + y up. Its orthographic ray starts at location + x right + y up and runs
+// along direction.
 // Source: reference manual 3.7, "Types of Projection"; rays compared with stock by tests/image/rays_test.cpp.
 #pragma once
 
@@ -11,7 +15,9 @@
 
 namespace lentray::camera {
 
-enum class CurvedKind {
+enum class ProjectedKind {
+  kPerspective,
+  kOrthographic,
   kFisheye,
   kUltraWideAngle,
   kOmnimax,
@@ -24,21 +30,17 @@ enum class CurvedKind {
 };
 
 /// Angles in degrees.
-struct CurvedAngles {
-  double angle = 90.0;                          ///< all kinds but panoramic and spherical
+struct ProjectedAngles {
+  double angle = 90.0;                          ///< of the kinds that have one angle
   double horizontal = 360.0, vertical = 180.0;  ///< spherical
 };
 
-class Curved final : public Camera {
+class Projected final : public Camera {
  public:
-  Curved(CurvedKind kind, const Projection& projection, const CurvedAngles& angles,
-         std::uint32_t width, std::uint32_t height);
+  Projected(ProjectedKind kind, const Projection& projection, const ProjectedAngles& angles,
+            std::uint32_t width, std::uint32_t height);
   bool ray(double column, double row, core::Ray& ray) const override;
   bool sight(const core::PixelPlace& place, core::Ray& out) const override;
-  std::string_view name() const override;
-  std::uint32_t width() const override { return m_width; }
-  std::uint32_t height() const override { return m_height; }
-  Properties describe() const override { return {{"camera", std::string(name())}}; }
 
  private:
   bool aim(double column, double row, core::Ray& ray) const;
@@ -50,14 +52,13 @@ class Curved final : public Camera {
   core::Vec3 spherical(double x, double y) const;
   core::Vec3 frame(double right, double up, double direction) const;
 
-  CurvedKind m_kind;
+  ProjectedKind m_kind;
   Projection m_projection;  ///< vectors made unit where stock does so
-  CurvedAngles m_angles;
+  ProjectedAngles m_angles;
   double m_wide, m_high;  ///< lengths of right and up
-  std::uint32_t m_width, m_height;
 };
 
 /// The kind of SDL's word and, for `cylinder`, its number; nullopt for cameras of other sorts.
-std::optional<CurvedKind> curved_kind(std::string_view word, int cylinder_type);
+std::optional<ProjectedKind> projected_kind(std::string_view word, int cylinder_type);
 
 }  // namespace lentray::camera
