@@ -37,7 +37,6 @@ struct MediaDesc {
   std::vector<Ref<DensityDesc>> densities;  ///< multiplied
 };
 
-Ref<DensityDesc> transformed(Ref<DensityDesc> density, const core::Transform& transform);
 Ref<MediaDesc> transformed(Ref<MediaDesc> media, const core::Transform& transform);
 
 }  // namespace lentray::parser

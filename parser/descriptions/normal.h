@@ -17,6 +17,4 @@ struct NormalDesc {
   Ref<NormalMapDesc> normal_map;
 };
 
-Ref<NormalDesc> transformed(Ref<NormalDesc> normal, const core::Transform& transform);
-
 }  // namespace lentray::parser

@@ -13,6 +13,7 @@
 
 #include "core/base/transform.h"
 #include "core/base/vec3.h"
+#include "parser/base/edit.h"
 #include "parser/base/sparse.h"
 #include "parser/descriptions/nesting.h"
 #include "parser/source/source.h"
@@ -147,5 +148,13 @@ struct PatternDesc {
   TurbulenceDesc& classic_turbulence();
   void transform(const core::Transform& by);
 };
+
+/// A pigment, normal or density after one more transform; null stays null. An original that others
+/// share stays as it is.
+template <typename Desc>
+Ref<Desc> transformed(Ref<Desc> desc, const core::Transform& transform) {
+  if (desc) edit(desc).pattern.transform(transform);
+  return desc;
+}
 
 }  // namespace lentray::parser

@@ -22,7 +22,4 @@ struct PigmentDesc {
 /// The colour of numbers as SDL promotes them: rgb, rgbf, rgbft.
 core::Colour to_colour(const Number& number);
 
-/// The pigment after one more transform; an original that others share stays as it is.
-Ref<PigmentDesc> transformed(Ref<PigmentDesc> pigment, const core::Transform& transform);
-
 }  // namespace lentray::parser

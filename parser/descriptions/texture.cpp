@@ -3,20 +3,9 @@
 #include <algorithm>
 #include <utility>
 
-#include "parser/base/edit.h"
 #include "parser/descriptions/interior.h"
 
 namespace lentray::parser {
-namespace {
-
-/// With its pattern transformed; null stays null.
-template <typename Desc>
-Ref<Desc> moved(Ref<Desc> desc, const core::Transform& transform) {
-  if (desc) edit(desc).pattern.transform(transform);
-  return desc;
-}
-
-}  // namespace
 
 core::Colour to_colour(const Number& number) {
   const auto at = [&](int i) { return static_cast<float>(number.v[number.size == 1 ? 0 : i]); };
@@ -24,18 +13,6 @@ core::Colour to_colour(const Number& number) {
   if (number.size == 1 || number.size >= 4) colour.filter = at(3);
   if (number.size == 1 || number.size >= 5) colour.transmit = at(4);
   return colour;
-}
-
-Ref<PigmentDesc> transformed(Ref<PigmentDesc> pigment, const core::Transform& transform) {
-  return moved(std::move(pigment), transform);
-}
-
-Ref<NormalDesc> transformed(Ref<NormalDesc> normal, const core::Transform& transform) {
-  return moved(std::move(normal), transform);
-}
-
-Ref<DensityDesc> transformed(Ref<DensityDesc> density, const core::Transform& transform) {
-  return moved(std::move(density), transform);
 }
 
 Ref<TextureDesc> transformed(Ref<TextureDesc> texture, const core::Transform& transform) {

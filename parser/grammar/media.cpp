@@ -7,52 +7,42 @@
 namespace lentray::parser {
 namespace {
 
-class DensityTarget final : public PatternTarget {
+class DensityTarget final : public MapTarget<DensityDesc, DensityMapDesc> {
  public:
   DensityTarget(DensityDesc& density, MaterialContext& context)
-      : m_density(density), m_context(context) {}
-
-  std::string_view statement() const override { return "density"; }
-  PatternDesc& pattern() override { return m_density.pattern; }
-  bool has_map() const override { return m_density.density_map != nullptr; }
-  void hold(Nesting& nesting) const override { hold_map(nesting, m_density.density_map.get()); }
+      : MapTarget("density", density, density.pattern, density.density_map, context) {}
 
   bool accept_plain(Parser& parser) override {
     if (!parser.at_colour()) return false;
-    m_density.colour = to_colour(parser.parse_colour());
+    m_desc.colour = to_colour(parser.parse_colour());
     return true;
   }
 
   void read_list(Parser& parser, int count) override {
-    m_density.density_map = parse_item_list<DensityMapDesc>(
+    m_map = parse_item_list<DensityMapDesc>(
         parser, count, Keyword::kDensity,
         [] { return Ref<DensityDesc>(std::make_shared<DensityDesc>()); },
         [&] { return parse_density(parser, m_context); });
-    m_density.colour_map = nullptr;
+    m_desc.colour_map = nullptr;
   }
 
   void read_item(Parser& parser) override {
-    m_density.density_map = map_of<DensityMapDesc>(parse_density_body(parser, m_context));
-    m_density.colour_map = nullptr;
+    m_map = map_of<DensityMapDesc>(parse_density_body(parser, m_context));
+    m_desc.colour_map = nullptr;
   }
 
   bool accept_own_modifier(Parser& parser) override {
-    if (accept_map(parser, Keyword::kColorMap, m_density.pattern, false)) {
-      m_density.colour_map = parse_colour_map(parser, m_context);
-      m_density.density_map = nullptr;
-    } else if (accept_map(parser, Keyword::kDensityMap, m_density.pattern, true)) {
-      m_density.density_map =
-          parse_density_map(parser, m_context, m_density.pattern.kind == PatternKind::kAverage);
-      m_density.colour_map = nullptr;
+    if (accept_map(parser, Keyword::kColorMap, m_desc.pattern, false)) {
+      m_desc.colour_map = parse_colour_map(parser, m_context);
+      m_map = nullptr;
+    } else if (accept_map(parser, Keyword::kDensityMap, m_desc.pattern, true)) {
+      m_map = parse_density_map(parser, m_context, m_desc.pattern.kind == PatternKind::kAverage);
+      m_desc.colour_map = nullptr;
     } else {
       return false;
     }
     return true;
   }
-
- private:
-  DensityDesc& m_density;
-  MaterialContext& m_context;
 };
 
 void parse_samples(Parser& parser, MediaDesc& media) {

@@ -9,15 +9,6 @@ namespace {
 
 Nesting nesting_of(const FunctionDesc& function) { return {function.depth, function.calls}; }
 Nesting nesting_of(const ObjectDesc& object) { return object.nesting; }
-Nesting nesting_of(const PigmentDesc& pigment) { return pigment.pattern.nesting; }
-
-template <typename Map, typename NestingOf>
-void hold_entries(Nesting& nesting, const Map* map, NestingOf nesting_of_item) {
-  if (!map) return;
-  for (const auto& entry : map->entries) {
-    if (entry.item) nesting.hold(nesting_of_item(*entry.item));
-  }
-}
 
 template <typename Desc>
 void hold_each(Nesting& nesting, const std::vector<Ref<Desc>>& all) {
@@ -65,8 +56,8 @@ Nesting nesting_of(const TextureDesc& texture) {
     if (layer.is_patterned()) {
       nesting.hold(layer.pattern->nesting);
     } else {
-      if (layer.pigment) nesting.hold(layer.pigment->pattern.nesting);
-      if (layer.normal) nesting.hold(layer.normal->pattern.nesting);
+      hold_one(nesting, layer.pigment);
+      hold_one(nesting, layer.normal);
     }
   }
   return nesting;
@@ -74,9 +65,7 @@ Nesting nesting_of(const TextureDesc& texture) {
 
 Nesting nesting_of(const InteriorDesc& interior) {
   Nesting nesting;
-  for (const Ref<MediaDesc>& media : interior.media) {
-    for (const Ref<DensityDesc>& density : media->densities) nesting.hold(density->pattern.nesting);
-  }
+  for (const Ref<MediaDesc>& media : interior.media) hold_each(nesting, media->densities);
   return nesting;
 }
 
@@ -87,19 +76,6 @@ Nesting held_by(const PatternDesc& pattern) {
   hold_one(nesting, pattern.own->function);
   if (pattern.own->image) hold_one(nesting, pattern.own->image->function);
   return nesting;
-}
-
-void hold_map(Nesting& nesting, const PigmentMapDesc* map) {
-  hold_entries(nesting, map, [](const PigmentDesc& p) { return p.pattern.nesting; });
-}
-void hold_map(Nesting& nesting, const NormalMapDesc* map) {
-  hold_entries(nesting, map, [](const NormalDesc& n) { return n.pattern.nesting; });
-}
-void hold_map(Nesting& nesting, const TextureMapDesc* map) {
-  hold_entries(nesting, map, [](const TextureDesc& t) { return nesting_of(t); });
-}
-void hold_map(Nesting& nesting, const DensityMapDesc* map) {
-  hold_entries(nesting, map, [](const DensityDesc& d) { return d.pattern.nesting; });
 }
 
 void keep_nesting(Parser& parser, Nesting& place, const Nesting& counted, const Location& where,

@@ -8,6 +8,11 @@
 
 namespace lentray::parser {
 
+/// Of a pigment, normal or density.
+template <typename Desc>
+const Nesting& nesting_of(const Desc& desc) {
+  return desc.pattern.nesting;
+}
 Nesting nesting_of(const TextureDesc& texture);
 Nesting nesting_of(const InteriorDesc& interior);
 
@@ -15,10 +20,13 @@ Nesting nesting_of(const InteriorDesc& interior);
 /// statement.
 Nesting held_by(const PatternDesc& pattern);
 /// What a map holds; null holds nothing.
-void hold_map(Nesting& nesting, const PigmentMapDesc* map);
-void hold_map(Nesting& nesting, const NormalMapDesc* map);
-void hold_map(Nesting& nesting, const TextureMapDesc* map);
-void hold_map(Nesting& nesting, const DensityMapDesc* map);
+template <typename Item>
+void hold_map(Nesting& nesting, const BlendMapDesc<Ref<Item>>* map) {
+  if (!map) return;
+  for (const auto& entry : map->entries) {
+    if (entry.item) nesting.hold(nesting_of(*entry.item));
+  }
+}
 
 /// Keeps what was counted; fails at `where` beyond the limits. `what` is for the message: "pigments".
 void keep_nesting(Parser& parser, Nesting& place, const Nesting& counted, const Location& where,

@@ -7,67 +7,57 @@
 namespace lentray::parser {
 namespace {
 
-class NormalTarget final : public PatternTarget {
+class NormalTarget final : public MapTarget<NormalDesc, NormalMapDesc> {
  public:
   NormalTarget(NormalDesc& normal, MaterialContext& context)
-      : m_normal(normal), m_context(context) {}
-
-  std::string_view statement() const override { return "normal"; }
-  PatternDesc& pattern() override { return m_normal.pattern; }
-  bool has_map() const override { return m_normal.normal_map != nullptr; }
-  void hold(Nesting& nesting) const override { hold_map(nesting, m_normal.normal_map.get()); }
+      : MapTarget("normal", normal, normal.pattern, normal.normal_map, context) {}
 
   void read_list(Parser& parser, int count) override {
-    m_normal.accuracy = 0.02;
-    m_normal.slope_map = nullptr;
-    m_normal.normal_map = nullptr;
+    m_desc.accuracy = 0.02;
+    m_desc.slope_map = nullptr;
+    m_map = nullptr;
     if (!parser.at(Keyword::kNormal)) return;
-    m_normal.normal_map = parse_item_list<NormalMapDesc>(
+    m_map = parse_item_list<NormalMapDesc>(
         parser, count, Keyword::kNormal, [&] { return default_layer(m_context).normal; },
         [&] { return parse_normal(parser, m_context); });
   }
 
   void read_item(Parser& parser) override {
-    m_normal.normal_map = map_of<NormalMapDesc>(
+    m_map = map_of<NormalMapDesc>(
         parse_normal_body(parser, m_context, default_layer(m_context).normal));
-    m_normal.slope_map = nullptr;
+    m_desc.slope_map = nullptr;
   }
 
   void after_pattern(Parser& parser) override {
     parser.parse_comma();
-    m_normal.amount = parse_optional_float(parser, m_normal.amount);
+    m_desc.amount = parse_optional_float(parser, m_desc.amount);
   }
 
   bool accept_own_modifier(Parser& parser) override {
-    PatternDesc& pattern = m_normal.pattern;
-    if (parser.accept(Keyword::kBumpSize, m_normal.amount) ||
-        parser.accept(Keyword::kAccuracy, m_normal.accuracy))
+    PatternDesc& pattern = m_desc.pattern;
+    if (parser.accept(Keyword::kBumpSize, m_desc.amount) ||
+        parser.accept(Keyword::kAccuracy, m_desc.accuracy))
       return true;
     if (parser.accept(Keyword::kBumpMap)) {
       pattern.kind = PatternKind::kBumpMap;
       pattern.frequency = 0.0;
-      pattern.own.edit().image = parse_bump_map(parser, m_normal.amount);
+      pattern.own.edit().image = parse_bump_map(parser, m_desc.amount);
       after_pattern(parser);
     } else if (parser.accept(Keyword::kNoBumpScale)) {
-      m_normal.no_bump_scale = true;
+      m_desc.no_bump_scale = true;
     } else if (accept_map(parser, Keyword::kSlopeMap, pattern, false)) {
-      m_normal.slope_map = parse_slope_map(parser, m_context);
-      m_normal.normal_map = nullptr;
+      m_desc.slope_map = parse_slope_map(parser, m_context);
+      m_map = nullptr;
     } else if (pattern.kind == PatternKind::kFacets && parser.at(Keyword::kNormalMap)) {
       parser.fail("cannot use normal_map with facets");
     } else if (accept_map(parser, Keyword::kNormalMap, pattern, true)) {
-      m_normal.normal_map =
-          parse_normal_map(parser, m_context, pattern.kind == PatternKind::kAverage);
-      m_normal.slope_map = nullptr;
+      m_map = parse_normal_map(parser, m_context, pattern.kind == PatternKind::kAverage);
+      m_desc.slope_map = nullptr;
     } else {
       return false;
     }
     return true;
   }
-
- private:
-  NormalDesc& m_normal;
-  MaterialContext& m_context;
 };
 
 }  // namespace

@@ -9,6 +9,7 @@
 
 #include "parser/descriptions/pattern.h"
 #include "parser/grammar/material.h"
+#include "parser/grammar/nesting.h"
 #include "parser/interpreter/parser.h"
 
 namespace lentray::parser {
@@ -24,8 +25,8 @@ class PatternTarget {
  public:
   virtual ~PatternTarget() = default;
   /// "pigment", "normal", "texture" or "density".
-  virtual std::string_view statement() const = 0;
-  virtual PatternDesc& pattern() = 0;
+  std::string_view statement() const { return m_statement; }
+  PatternDesc& pattern() const { return m_pattern; }
   /// A colour instead of a pattern; only where that has a meaning.
   virtual bool accept_plain(Parser&) { return false; }
   /// The items of checker, brick ...: as many as are there; the rest of `count` are defaults.
@@ -39,6 +40,30 @@ class PatternTarget {
   virtual bool has_map() const = 0;
   /// Counts what its map holds.
   virtual void hold(Nesting& nesting) const = 0;
+
+ protected:
+  PatternTarget(std::string_view statement, PatternDesc& pattern)
+      : m_statement(statement), m_pattern(pattern) {}
+
+ private:
+  const std::string_view m_statement;
+  PatternDesc& m_pattern;
+};
+
+/// One whose description `desc` may have a map of its own kind.
+template <typename Desc, typename Map>
+class MapTarget : public PatternTarget {
+ public:
+  MapTarget(std::string_view statement, Desc& desc, PatternDesc& pattern, Ref<Map>& map,
+            MaterialContext& context)
+      : PatternTarget(statement, pattern), m_desc(desc), m_map(map), m_context(context) {}
+  bool has_map() const final { return m_map != nullptr; }
+  void hold(Nesting& nesting) const final { hold_map<>(nesting, m_map.get()); }
+
+ protected:
+  Desc& m_desc;
+  Ref<Map>& m_map;
+  MaterialContext& m_context;
 };
 
 /// The items of a list that begins here: each is `statement` and what `read` reads behind it; those that are

@@ -8,61 +8,51 @@
 namespace lentray::parser {
 namespace {
 
-class PigmentTarget final : public PatternTarget {
+class PigmentTarget final : public MapTarget<PigmentDesc, PigmentMapDesc> {
  public:
   PigmentTarget(PigmentDesc& pigment, MaterialContext& context)
-      : m_pigment(pigment), m_context(context) {}
-
-  std::string_view statement() const override { return "pigment"; }
-  PatternDesc& pattern() override { return m_pigment.pattern; }
-  bool has_map() const override { return m_pigment.pigment_map != nullptr; }
-  void hold(Nesting& nesting) const override { hold_map(nesting, m_pigment.pigment_map.get()); }
+      : MapTarget("pigment", pigment, pigment.pattern, pigment.pigment_map, context) {}
 
   bool accept_plain(Parser& parser) override {
     if (!parser.at_colour()) return false;
-    m_pigment.colour = to_colour(parser.parse_colour());
+    m_desc.colour = to_colour(parser.parse_colour());
     return true;
   }
 
   void read_list(Parser& parser, int count) override {
     if (!parser.at(Keyword::kPigment)) {
-      m_pigment.colour_map = parse_colour_list(parser, m_pigment.pattern.kind, count);
-      m_pigment.pigment_map = nullptr;
+      m_desc.colour_map = parse_colour_list(parser, m_desc.pattern.kind, count);
+      m_map = nullptr;
       return;
     }
-    m_pigment.pigment_map = parse_item_list<PigmentMapDesc>(
+    m_map = parse_item_list<PigmentMapDesc>(
         parser, count, Keyword::kPigment, [&] { return default_layer(m_context).pigment; },
         [&] { return parse_pigment(parser, m_context); });
-    m_pigment.colour_map = nullptr;
+    m_desc.colour_map = nullptr;
   }
 
   void read_item(Parser& parser) override {
-    m_pigment.pigment_map = map_of<PigmentMapDesc>(
+    m_map = map_of<PigmentMapDesc>(
         parse_pigment_body(parser, m_context, default_layer(m_context).pigment));
-    m_pigment.colour_map = nullptr;
+    m_desc.colour_map = nullptr;
   }
 
   bool accept_own_modifier(Parser& parser) override {
     // Without a pattern a color_map means nothing, and stock accepts it.
-    if ((is_unset(m_pigment.pattern) && parser.accept(Keyword::kColorMap)) ||
-        accept_map(parser, Keyword::kColorMap, m_pigment.pattern, false)) {
-      m_pigment.colour_map = parse_colour_map(parser, m_context);
-      m_pigment.pigment_map = nullptr;
-    } else if (accept_map(parser, Keyword::kPigmentMap, m_pigment.pattern, true)) {
-      m_pigment.pigment_map =
-          parse_pigment_map(parser, m_context, m_pigment.pattern.kind == PatternKind::kAverage);
-      m_pigment.colour_map = nullptr;
+    if ((is_unset(m_desc.pattern) && parser.accept(Keyword::kColorMap)) ||
+        accept_map(parser, Keyword::kColorMap, m_desc.pattern, false)) {
+      m_desc.colour_map = parse_colour_map(parser, m_context);
+      m_map = nullptr;
+    } else if (accept_map(parser, Keyword::kPigmentMap, m_desc.pattern, true)) {
+      m_map = parse_pigment_map(parser, m_context, m_desc.pattern.kind == PatternKind::kAverage);
+      m_desc.colour_map = nullptr;
     } else if (parser.accept(Keyword::kQuickColor)) {
-      m_pigment.quick_colour = to_colour(parser.parse_colour());
+      m_desc.quick_colour = to_colour(parser.parse_colour());
     } else {
       return false;
     }
     return true;
   }
-
- private:
-  PigmentDesc& m_pigment;
-  MaterialContext& m_context;
 };
 
 }  // namespace

@@ -8,36 +8,26 @@
 namespace lentray::parser {
 namespace {
 
-class TextureTarget final : public PatternTarget {
+class TextureTarget final : public MapTarget<TextureLayerDesc, TextureMapDesc> {
  public:
   TextureTarget(TextureLayerDesc& layer, MaterialContext& context)
-      : m_layer(layer), m_context(context) {}
-
-  std::string_view statement() const override { return "texture"; }
-  PatternDesc& pattern() override { return m_layer.pattern.edit(); }
-  bool has_map() const override { return m_layer.map != nullptr; }
-  void hold(Nesting& nesting) const override { hold_map(nesting, m_layer.map.get()); }
+      : MapTarget("texture", layer, layer.pattern.edit(), layer.map, context) {}
 
   void read_list(Parser& parser, int count) override {
-    m_layer.map = parse_item_list<TextureMapDesc>(
+    m_map = parse_item_list<TextureMapDesc>(
         parser, count, Keyword::kTexture, [&] { return m_context.default_texture; },
         [&] { return parse_texture(parser, m_context); });
   }
 
   void read_item(Parser& parser) override {
-    m_layer.map = map_of<TextureMapDesc>(parse_texture_body(parser, m_context));
+    m_map = map_of<TextureMapDesc>(parse_texture_body(parser, m_context));
   }
 
   bool accept_own_modifier(Parser& parser) override {
-    if (!accept_map(parser, Keyword::kTextureMap, *m_layer.pattern, true)) return false;
-    m_layer.map =
-        parse_texture_map(parser, m_context, m_layer.pattern->kind == PatternKind::kAverage);
+    if (!accept_map(parser, Keyword::kTextureMap, *m_desc.pattern, true)) return false;
+    m_map = parse_texture_map(parser, m_context, m_desc.pattern->kind == PatternKind::kAverage);
     return true;
   }
-
- private:
-  TextureLayerDesc& m_layer;
-  MaterialContext& m_context;
 };
 
 /// Names of a pigment, normal or finish standing for the statement itself.

@@ -70,9 +70,8 @@ void Directives::deprecation(std::string& text, bool& once) {
 // Nearly all declarations: a number or a string for a plain identifier. The expression has no side
 // effects that could reach the symbol.
 bool Directives::declare_plain(const Location& directive, bool local) {
-  const TokenList* list = nullptr;
-  const Token* name = m_in.tokens.raw(list);
-  if (!name || name->kind != TokenKind::kIdentifier) return false;
+  const Token* name = m_in.tokens.raw();
+  if (!name || name->kind != TokenKind::kIdentifier || !name[1].is(Punct::kEqual)) return false;
   const std::uint32_t level = local ? m_in.symbols.level() : 0;
   Symbol* symbol = m_in.symbols.find(name->name);
   if (symbol && (symbol->macro() || (!local && !symbol->is_plain()))) return false;
@@ -80,7 +79,8 @@ bool Directives::declare_plain(const Location& directive, bool local) {
   if (symbol && (!symbol->is_plain() || symbol->file())) return false;
   Number number;
   std::string text;
-  const Expressions::Item item = m_in.expressions.read_plain_assignment(number, text);
+  const Expressions::Item item =
+      m_in.expressions.read_plain_item(name + 2, number, text, Punct::kSemicolon);
   if (item == Expressions::Item::kNone) return false;
   if (!symbol) symbol = &m_in.symbols.declare_at(name->name, level);
   Number* held = std::get_if<Number>(&symbol->value);
@@ -137,8 +137,7 @@ void Directives::declare(const Location directive, bool local) {
 }
 
 void Directives::end_of_declaration(const Value& value, const Location& where) {
-  const TokenList* list = nullptr;
-  const Token* raw = m_in.tokens.raw(list);
+  const Token* raw = m_in.tokens.raw();
   if (raw && raw->is(Punct::kSemicolon) && raw + 1 < m_in.stream.top().end &&
       !raw[1].is(Punct::kSemicolon)) {
     return m_in.tokens.go_on_at(raw + 1);
@@ -187,7 +186,7 @@ void Directives::undef() {
 Value Directives::parse_rvalue() {
   m_in.guard_stack();
   TokenReader& tokens = m_in.tokens;
-  if (Number n; m_in.expressions.read_plain(n, Precedence::kSum)) return stored(n);
+  if (Number n; m_in.expressions.read_plain(tokens.raw(), n, Precedence::kSum)) return stored(n);
   const Token first = tokens.peek_operand();
   if (first.is(Keyword::kArray)) {
     tokens.skip();

@@ -56,8 +56,7 @@ std::vector<MacroParameter> Directives::macro_parameters() {
 // Most of them: the name alone of something with a value of its own, which is passed by reference,
 // and numbers. Null for all others, elements of arrays among them; nothing is read then.
 SymbolPtr Directives::plain_argument() {
-  const TokenList* list = nullptr;
-  const Token* first = m_in.tokens.raw(list);
+  const Token* first = m_in.tokens.raw();
   if (!first) return nullptr;
   SymbolPtr made;
   if (first->kind == TokenKind::kIdentifier) {
@@ -72,7 +71,7 @@ SymbolPtr Directives::plain_argument() {
       return made;
     }
   }
-  if (Number n; m_in.expressions.read_plain(n, Precedence::kSum)) {
+  if (Number n; m_in.expressions.read_plain(first, n, Precedence::kSum)) {
     made = make_symbol();
     made->value = stored(n);
   }

@@ -71,30 +71,35 @@ bool ExpressionGrammar<Tokens>::chosen(Number& n, const Location& where) {
 // An operand and the operators behind it. A comparison of strings is an operand of logical ones.
 template <typename Tokens>
 bool ExpressionGrammar<Tokens>::binary(Number& left, Precedence least) {
-  if (least < Precedence::kComparison && m_tokens.at_string())
-    return string_comparison(left.v[0]) && operators(left, least, Precedence::kLogical);
-  return operand(left) &&
-         (m_tokens.precedence() < least || operators(left, least, Precedence::kProduct));
+  if (least < Precedence::kComparison && m_tokens.at_string()) {
+    if (!string_comparison(left.v[0])) return false;
+    const Precedence next = m_tokens.precedence();
+    return next != Precedence::kLogical || operators(left, next, least);
+  }
+  if (!next_operand(left)) return false;
+  const Precedence next = m_tokens.precedence();
+  return next < least || operators(left, next, least);
 }
 
+// At an operator that binds as closely as `next` says. None behind it that binds closer than one before.
 template <typename Tokens>
-bool ExpressionGrammar<Tokens>::operators(Number& left, Precedence least, Precedence most) {
-  for (;;) {
-    const Precedence here = m_tokens.precedence();
-    if (here < least || here > most) return true;
-    most = here;
+bool ExpressionGrammar<Tokens>::operators(Number& left, Precedence next, Precedence least) {
+  for (Precedence here = next; next >= least && next <= here;) {
+    here = next;
     const Punct op = m_tokens.peek().punct;
     m_tokens.skip();
     Number right;
-    if (here == Precedence::kLogical) {
-      if (!binary(right, closer(here))) return false;
-    } else if (!operand(right) || (m_tokens.precedence() > here &&
-                                   !operators(right, closer(here), Precedence::kProduct))) {
+    if (here == Precedence::kLogical ? !binary(right, closer(here)) : !next_operand(right))
       return false;
+    next = m_tokens.precedence();
+    if (next > here && here != Precedence::kLogical) {
+      if (!operators(right, next, closer(here))) return false;
+      next = m_tokens.precedence();
     }
     if (!operate(op, left, right) && !m_tokens.warn(m_tokens.location(), "division by zero"))
       return false;
   }
+  return true;
 }
 
 template <typename Tokens>
@@ -113,6 +118,11 @@ bool ExpressionGrammar<Tokens>::string_comparison(double& x) {
 
 template <typename Tokens>
 bool ExpressionGrammar<Tokens>::operand(Number& n) {
+  return next_operand(n);
+}
+
+template <typename Tokens>
+bool ExpressionGrammar<Tokens>::next_operand(Number& n) {
   const Token& token = m_tokens.peek_operand();
   if (token.kind == TokenKind::kNumber) {
     n.v[0] = token.number;

@@ -1,8 +1,8 @@
-// The grammar of expressions, once for two kinds of tokens: PlainTokens, which most expressions
-// consist of and which are several times faster to read, and ScriptTokens, among which directives are executed and macros
-// invoked. Every function reads what its name says and is false where it gives up: PlainTokens do so
-// at all that they do not know and wherever a message is due, ScriptTokens never (they throw). A
-// Number to be filled is a new one. One thread.
+// The grammar of expressions, for two kinds of tokens. Most expressions consist of PlainTokens, which
+// are several times faster to read. ScriptTokens execute directives and invoke macros. Every function
+// reads what its name says and returns false where it gives up. PlainTokens give up at what they do
+// not know and wherever a message is due; ScriptTokens throw instead. A Number to be filled is a new
+// one. One thread.
 // Source: reference manual 3.7, "Float Expressions", "Vector Expressions", "Strings"; precision,
 // promotion and error cases as measured on stock.
 #pragma once
@@ -37,7 +37,8 @@ class ExpressionGrammar {
  private:
   bool choice(Number& n);
   bool binary(Number& left, Precedence least);
-  bool operators(Number& left, Precedence least, Precedence most);
+  bool operators(Number& left, Precedence next, Precedence least);
+  [[gnu::always_inline]] inline bool next_operand(Number& n);  ///< operand(), where it costs most
   // Rare; within what is common they would cost each call.
   [[gnu::cold]] [[gnu::noinline]] bool chosen(Number& n, const Location& where);
   [[gnu::cold]] [[gnu::noinline]] bool string_comparison(double& x);

@@ -12,69 +12,42 @@ Expressions::Expressions(Interpreter& in)
     : m_in(in), m_plain_tokens(in), m_script_tokens(in), m_plain(m_plain_tokens),
       m_script(m_script_tokens) {}
 
-// `ahead` tokens come before the expression; an `end` is what must follow it.
+// The expression at `first`, a token of raw()'s list. An `end` must follow it; a bracket is read too.
 template <typename Read>
-bool Expressions::read_plain(PlainTokens::Kind kind, std::ptrdiff_t ahead, Punct end, Read read) {
-  const TokenList* list = nullptr;
-  const Token* first = m_in.tokens.raw(list);
+bool Expressions::read_plain(PlainTokens::Kind kind, const Token* first, Punct end, Read read) {
   if (!first || !m_in.has_arithmetic() || !m_in.options.plain_expressions ||
-      !m_plain_tokens.begin(*list, first + ahead, kind) ||
+      !m_plain_tokens.begin(m_in.tokens.raw_list(), first, kind) ||
       !m_plain_tokens.finish(read(m_plain), end)) {
     return false;
   }
-  m_in.tokens.go_on_at(m_plain_tokens.at());
+  m_in.tokens.go_on_at(m_plain_tokens.at() + (end == Punct::kRightParen ? 1 : 0));
   return true;
 }
 
-bool Expressions::read_plain(Number& n, Precedence least) {
-  return read_plain(PlainTokens::Kind::kNumber, 0, Punct::kNone,
+bool Expressions::read_plain(const Token* first, Number& n, Precedence least, Punct end) {
+  return read_plain(PlainTokens::Kind::kNumber, first, end,
                     [&](auto& grammar) { return grammar.read(n, least); });
 }
 
-bool Expressions::read_plain(std::string& text) {
+bool Expressions::read_plain(const Token* first, std::string& text, Punct end) {
   const std::size_t before = text.size();
-  const bool read = read_plain(PlainTokens::Kind::kString, 0, Punct::kNone,
+  const bool read = read_plain(PlainTokens::Kind::kString, first, end,
                                [&](auto& grammar) { return grammar.string(text); });
   if (!read) text.resize(before);
   return read;
 }
 
 bool Expressions::read_plain_condition(double& x) {
-  const TokenList* list = nullptr;
-  const Token* open = m_in.tokens.raw(list);
-  if (!open || !open->is(Punct::kLeftParen) ||
-      !read_plain(PlainTokens::Kind::kNumber, 1, Punct::kRightParen,
-                  [&](auto& grammar) { return grammar.scalar(x, Precedence::kLogical); })) {
-    return false;
-  }
-  m_in.tokens.go_on_at(m_plain_tokens.at() + 1);
-  return true;
+  const Token* open = m_in.tokens.raw();
+  return open && open->is(Punct::kLeftParen) &&
+         read_plain(PlainTokens::Kind::kNumber, open + 1, Punct::kRightParen,
+                    [&](auto& grammar) { return grammar.scalar(x, Precedence::kLogical); });
 }
 
-Expressions::Item Expressions::read_plain_item(std::ptrdiff_t ahead, Punct end, Number& n,
-                                               std::string& text) {
-  if (read_plain(PlainTokens::Kind::kNumber, ahead, end,
-                 [&](auto& grammar) { return grammar.read(n, Precedence::kSum); }))
-    return Item::kNumber;
-  const std::size_t before = text.size();
-  if (read_plain(PlainTokens::Kind::kString, ahead, end,
-                 [&](auto& grammar) { return grammar.string(text); }))
-    return Item::kString;
-  text.resize(before);
-  return Item::kNone;
-}
-
-Expressions::Item Expressions::read_plain_assignment(Number& n, std::string& text) {
-  const TokenList* list = nullptr;
-  const Token* name = m_in.tokens.raw(list);
-  const bool assigns = name && name->kind == TokenKind::kIdentifier && name[1].is(Punct::kEqual);
-  return assigns ? read_plain_item(2, Punct::kSemicolon, n, text) : Item::kNone;
-}
-
-Expressions::Item Expressions::read_plain_item(Number& n, std::string& text) {
-  const TokenList* list = nullptr;
-  const Token* first = m_in.tokens.raw(list);
-  return read_plain_item(first && first->is(Punct::kComma) ? 1 : 0, Punct::kNone, n, text);
+Expressions::Item Expressions::read_plain_item(const Token* first, Number& n, std::string& text,
+                                               Punct end) {
+  if (read_plain(first, n, Precedence::kSum, end)) return Item::kNumber;
+  return read_plain(first, text, end) ? Item::kString : Item::kNone;
 }
 
 bool Expressions::at_expression() {

@@ -1,11 +1,10 @@
 // Expressions: floats, vectors of 2 to 5 components, colours, strings, transforms, splines.
-// Evaluated while they are read, as PlainTokens where that will do. Components promote as stock does: a float
-// fills all of them, a shorter vector is padded with zeros.
+// They are evaluated while they are read, as PlainTokens where that will do. Components promote as
+// stock does: a float fills all of them, a shorter vector is padded with zeros.
 // Source: reference manual 3.7, "Float Expressions", "Vector Expressions", "Specifying Colors",
 // "Strings"; precision, promotion and error cases as measured on stock.
 #pragma once
 
-#include <cstddef>
 #include <optional>
 #include <string>
 
@@ -55,23 +54,20 @@ class Expressions {
   Ref<SplineDesc> parse_spline();  ///< after `spline`
 
   // Of PlainTokens. Nothing is read where these are false.
-  /// The expression that comes next.
-  bool read_plain(Number& n, Precedence least);
-  bool read_plain(std::string& text);  ///< put behind `text`
-  /// `( EXPRESSION )` of one component.
-  bool read_plain_condition(double& x);
-  /// A number or a string, and the comma before it.
+  /// The expression at `first`: TokenReader::raw(), a token behind it, or null. An `end` must follow.
+  bool read_plain(const Token* first, Number& n, Precedence least, Punct end = Punct::kNone);
+  /// Put behind `text`.
+  bool read_plain(const Token* first, std::string& text, Punct end = Punct::kNone);
   enum class Item { kNone, kNumber, kString };
-  Item read_plain_item(Number& n, std::string& text);
-  /// `NAME = EXPRESSION` of either, with `;` behind it.
-  Item read_plain_assignment(Number& n, std::string& text);
+  Item read_plain_item(const Token* first, Number& n, std::string& text, Punct end = Punct::kNone);
+  /// `( EXPRESSION )` of one component comes next.
+  bool read_plain_condition(double& x);
   /// Within an expression of PlainTokens.
   bool plain_subscript(double& x) { return m_plain.scalar(x); }
 
  private:
   template <typename Read>
-  bool read_plain(PlainTokens::Kind kind, std::ptrdiff_t ahead, Punct end, Read read);
-  Item read_plain_item(std::ptrdiff_t ahead, Punct end, Number& n, std::string& text);
+  bool read_plain(PlainTokens::Kind kind, const Token* first, Punct end, Read read);
   void trailing_components(Number& colour);
   Number colour_from(const ColourWord& word);
   core::Transform transform_block();

@@ -1,7 +1,7 @@
 // Tokens read straight from their list, for ExpressionGrammar: numbers, strings, operators, and
-// identifiers and array elements that hold a number or a string. At anything else (a directive, a
-// macro, a call of a function, the end of a file or macro) and wherever something would have to be
-// said, reading is given up without a trace, and the same tokens are read again as ScriptTokens.
+// identifiers and array elements that hold a number or a string. Reading is given up at anything else
+// (a directive, a macro, a call of a function, the end of a file or macro) and wherever a message is
+// due. Nothing has changed then, and the same tokens are read again as ScriptTokens.
 #pragma once
 
 #include <cstdint>
@@ -23,7 +23,7 @@ class PlainTokens {
  public:
   explicit PlainTokens(Interpreter& in);
 
-  // What reads expressions begins with one of these and ends with the other.
+  // Expressions calls begin() before it reads an expression and finish() behind it.
   enum class Kind { kNumber, kString };
   /// False if it is known that what begins there will be given up.
   bool begin(const TokenList& list, const Token* first, Kind kind) {
@@ -122,7 +122,7 @@ class PlainTokens {
  private:
   static constexpr int kDeepest = 100;  ///< brackets and functions, one in the other
 
-  // Of one token, if it is the whole: most are. There is a next token: a list ends with kEnd.
+  // Whether the token here is the whole expression. There is a next token: a list ends with kEnd.
   bool ends_operand(Precedence least) const {
     const Token& next = m_at[1];
     if (next.kind != TokenKind::kPunct) return false;
@@ -130,7 +130,7 @@ class PlainTokens {
            next.punct == Punct::kRightCurly || next.punct == Punct::kSemicolon ||
            (next.punct == Punct::kGreater && least > Precedence::kComparison);
   }
-  // What a name stands for, if it is of that kind and nothing happens when it is read; or null.
+  // The value of a name, if it is of that kind and reading the name has no other effect; or null.
   template <typename T>
   const T* held(const Token& name) const {
     const Symbol* symbol = m_symbols.find(name.name);
@@ -156,8 +156,8 @@ class PlainTokens {
   const Token* m_first = nullptr;
   const Token* m_at = nullptr;
   int m_depth = 0;
-  /// Of the expression of each kind that was given up last: where it began, and where it could not
-  /// be read further. What stopped it once will stop it again.
+  /// The expression of each kind that was given up last: where it began, and where it could not be
+  /// read further. An expression that begins in between is given up there too.
   struct Failure {
     const Token* from = nullptr;
     const Token* at = nullptr;

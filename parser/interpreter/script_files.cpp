@@ -146,7 +146,9 @@ void ScriptFiles::write() {
   for (;;) {
     const std::size_t start = text.size();
     Number n;
-    switch (m_in.expressions.read_plain_item(n, text)) {
+    const Token* item = tokens.raw();
+    if (item && item->is(Punct::kComma)) ++item;
+    switch (m_in.expressions.read_plain_item(item, n, text)) {
       case Expressions::Item::kNumber: append_value(text, n); continue;
       case Expressions::Item::kString: only_ascii(text, start); continue;
       default: break;
@@ -276,8 +278,7 @@ bool ScriptFiles::read_value(ScriptFile& file, Value& value) {
 // Most are read into names that hold values already, and nothing else: that symbol, its name and
 // the comma before it read.
 Symbol* ScriptFiles::plain_target() {
-  const TokenList* list = nullptr;
-  const Token* name = m_in.tokens.raw(list);
+  const Token* name = m_in.tokens.raw();
   if (name && name->is(Punct::kComma)) ++name;
   if (!name || name->kind != TokenKind::kIdentifier ||
       (!name[1].is(Punct::kComma) && !name[1].is(Punct::kRightParen))) {

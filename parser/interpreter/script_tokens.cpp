@@ -47,21 +47,22 @@ bool ScriptTokens::enter() {
 }
 
 bool ScriptTokens::quick(Number& n, Precedence least) {
-  if (m_in.expressions.read_plain(n, least)) return true;
+  if (m_in.expressions.read_plain(m_tokens.raw(), n, least)) return true;
   n = {};
   return false;
 }
 
 // The place is looked for only where it has to be, if the token stands in the list.
 bool ScriptTokens::quick(Number& n, Precedence least, Location& where) {
-  const TokenList* list = nullptr;
-  const Token* first = m_tokens.raw(list);
+  const Token* first = m_tokens.raw();
   const bool read = first && quick(n, least);
   where = first && (read || first->passive) ? first->where : m_tokens.peek_operand().where;
   return read;
 }
 
-bool ScriptTokens::quick(std::string& text) { return m_in.expressions.read_plain(text); }
+bool ScriptTokens::quick(std::string& text) {
+  return m_in.expressions.read_plain(m_tokens.raw(), text);
+}
 
 bool ScriptTokens::literal_vector(Number& n) {
   if (m_tokens.accept_literal_vector(n)) return true;

@@ -1,5 +1,5 @@
-// TokenReader's tokens for ExpressionGrammar: directives are executed, macros invoked, and what is wrong
-// is said, so nothing is given up.
+// TokenReader's tokens for ExpressionGrammar. Directives are executed, macros are invoked, and a fault
+// throws with its message: nothing is given up.
 #pragma once
 
 #include <string>
@@ -35,7 +35,7 @@ class ScriptTokens {
   bool enter();
   void leave() { --m_depth; }
 
-  // If what comes next can be read as PlainTokens.
+  // Read the whole expression, if it consists of PlainTokens.
   bool quick(Number& n, Precedence least);
   bool quick(Number& n, Precedence least, Location& where);
   bool quick(std::string& text);

@@ -1,5 +1,5 @@
-// Tokens as the grammar sees them: directives executed, macros invoked, array elements resolved,
-// files and macro bodies left at their ends. One token of look-ahead.
+// The tokens that the grammar reads. Directives are executed, macros are invoked, array elements are
+// resolved, and a file or macro is left at its end. One token of look-ahead.
 #pragma once
 
 #include <string>
@@ -25,7 +25,7 @@ class TokenReader {
     fetch_or_hold();
     return m_held ? m_boundary : m_token;
   }
-  /// Where an operand must follow: a statement cannot end here, so nothing is held back.
+  /// The same where an operand must follow: no directive or macro is held back.
   const Token& peek_operand() {
     if (!m_ready && !show_plain()) fetch();
     return m_token;
@@ -54,13 +54,13 @@ class TokenReader {
   }
   void comma() { accept(Punct::kComma); }
 
-  /// Of the identifier that peek() shows: its symbol (null if it has none), and the value it or its
-  /// array element holds (null if there is none). Valid until the next token is asked for.
+  /// The symbol of the identifier that peek() shows, or null. Valid until the next token is read.
   Symbol* symbol() {
     if (m_token.kind != TokenKind::kIdentifier) return nullptr;
     Symbol* found = m_symbols.find(m_token.name);
     return found ? &found->target() : nullptr;
   }
+  /// The value of that identifier or array element, or null. Valid until the next token is read.
   Value* value() {
     if (m_held || m_token.kind != TokenKind::kIdentifier) return nullptr;
     Value* found = nullptr;
@@ -71,20 +71,21 @@ class TokenReader {
     }
     return found && found->index() == 0 ? nullptr : found;
   }
-  /// At `<`: reads a vector of literal numbers to its end, the commonest of all. False, and nothing
-  /// read, if anything else stands there.
+  /// At `<`: reads a vector of literal numbers to its end. False if it has anything else; nothing is
+  /// read then.
   bool accept_literal_vector(Number& n);
-  /// The same of the twelve numbers of a matrix, at what `matrix` is before.
+  /// The same for the twelve numbers of a matrix, behind `matrix`.
   bool accept_literal_matrix(core::Matrix& rows);
-  /// The token that comes next, if it stands in the text just so, and the list it is of; or null.
-  /// What PlainTokens can be begins there; go_on_at() says where it ended.
-  const Token* raw(const TokenList*& list) const {
+  /// The next token in its list, from which PlainTokens read on; null if the token shown is an
+  /// element of an array. go_on_at() then skips the tokens that were read.
+  const Token* raw() const {
     if (m_stream.empty() || plain_names) return nullptr;
-    const Frame& frame = m_stream.top();
-    list = frame.list.get();
-    if (!m_ready) return frame.cursor;
-    return m_raw && m_raw + 1 == frame.cursor ? m_raw : nullptr;
+    const Token* cursor = m_stream.top().cursor;
+    if (!m_ready) return cursor;
+    return m_raw && m_raw + 1 == cursor ? m_raw : nullptr;
   }
+  /// The list that raw() is of.
+  const TokenList& raw_list() const { return *m_stream.top().list; }
   void go_on_at(const Token* token) {
     m_stream.top().cursor = token;
     m_last = token[-1].where;
@@ -95,8 +96,8 @@ class TokenReader {
   const std::shared_ptr<ArrayValue>& element_array() const { return m_array; }
   std::size_t element_index() const { return m_index; }
 
-  /// The next token as it stands in the text, no macro invoked, for #declare, #ifdef and the like:
-  /// an identifier, or fails with what was expected.
+  /// The next token, which must be an identifier; no macro is invoked. For #declare, #undef and the
+  /// like. `what` is for the message.
   Token read_name(std::string_view what);
   /// The token after the one shown, as it stands in the text; null at the end of the frame.
   const Token* following() const { return m_stream.look(); }
@@ -135,7 +136,7 @@ class TokenReader {
   /// No macro is invoked while true.
   bool plain_names = false;
 
-  /// `<` and `>` of a vector nest as parentheses do, but only the grammar knows which these are.
+  /// Around a vector: only the grammar knows which `<` and `>` are brackets.
   void enter() { ++m_nesting; }
   void leave() { --m_nesting; }
 
@@ -162,8 +163,7 @@ class TokenReader {
       default: break;
     }
   }
-  /// Shows the next token if it is what most are: nothing that happens in between, no macro, no
-  /// element of an array.
+  /// Shows the next token if no directive, macro or array element begins there, as for most.
   bool show_plain() {
     const Token* raw = m_stream.look();
     if (!raw) return false;
@@ -181,7 +181,7 @@ class TokenReader {
     m_ready = true;
     return true;
   }
-  /// Past the next token, if it is that word and not shown yet: most are never looked at otherwise.
+  /// Skips the next token if it is that word and has not been shown yet.
   template <typename Word>
   bool pass_plain(Word word) {
     const Token* raw = m_ready ? nullptr : m_stream.look();

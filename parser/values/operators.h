@@ -66,17 +66,17 @@ inline bool operate(Punct op, double& left, double right) {
 
 /// The same for each component.
 template <typename Op>
-void each(Number& left, const Number& right, Op op) {
-  Number by = right;
-  promote(by, left.size);
-  promote(left, by.size);
+void each(Number& left, Number& right, Op op) {
+  promote(right, left.size);
+  promote(left, right.size);
   left.keeps_rest = false;
   for (std::size_t i = 0; i < static_cast<std::size_t>(left.size); ++i) {
-    left.v[i] = op(left.v[i], by.v[i]);
+    left.v[i] = op(left.v[i], right.v[i]);
   }
 }
 
-inline bool operate(Punct op, Number& left, const Number& right) {
+/// `right` grows to as many components as `left` has.
+inline bool operate(Punct op, Number& left, Number& right) {
   if (left.size == 1 && right.size == 1) return operate(op, left.v[0], right.v[0]);
   if (kOperators.precedence[static_cast<std::size_t>(op)] >= Precedence::kSum)
     left.is_colour = false;
