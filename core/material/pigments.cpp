@@ -29,18 +29,6 @@ class PlainPigment final : public Pigment {
   Colour m_colour;
 };
 
-class PigmentPattern final : public Pattern {
- public:
-  explicit PigmentPattern(PigmentPtr pigment) : m_pigment(std::move(pigment)) {}
-  double value(const Vec3& point) const override { return grey(m_pigment->colour(point).rgb); }
-  double value_on(const Vec3& point, const SurfaceContext& surface) const override {
-    return grey(m_pigment->colour(point, surface).rgb);
-  }
-
- private:
-  PigmentPtr m_pigment;
-};
-
 }  // namespace
 
 PigmentPtr make_plain_pigment(const Colour& colour) {
@@ -99,12 +87,16 @@ PigmentPtr make_placed_pigment(Placement placement, PigmentPtr pigment) {
 }
 PigmentPtr make_opaque_pigment(PigmentPtr pigment) {
   if (pigment->is_opaque()) return pigment;
-  return pigment_of(true, [pigment](const Vec3& point, const SurfaceContext& surface) {
-    return Colour{pigment->colour(point, surface).rgb, 0.0f, 0.0f};
-  });
+  return pigment_of(
+      true, [pigment = std::move(pigment)](const Vec3& point, const SurfaceContext& surface) {
+        return Colour{pigment->colour(point, surface).rgb, 0.0f, 0.0f};
+      });
 }
 PatternPtr make_pigment_pattern(PigmentPtr pigment) {
-  return std::make_unique<PigmentPattern>(std::move(pigment));
+  return pattern_of(
+      [pigment = std::move(pigment)](const Vec3& point, const SurfaceContext& surface) -> double {
+        return grey(pigment->colour(point, surface).rgb);
+      });
 }
 
 }  // namespace lentray::core
