@@ -1,5 +1,6 @@
-// How much memory the process may take, and whether that leaves room for something large. The limit is one for
-// the process: set it before threads start. Errors: NoRoom. Threads: any number.
+// How much memory the process may take, and whether that leaves room for something large. There is one limit for
+// the process, because the system counts memory by process: set it before threads start. Errors: NoRoom. Threads:
+// any number.
 #pragma once
 
 #include <stdexcept>

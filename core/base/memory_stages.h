@@ -19,7 +19,8 @@ std::uint64_t heap_bytes();
 /// What has been added since heap_bytes() was `before`; 0 if it has become less.
 std::uint64_t heap_bytes_since(std::uint64_t before);
 
-/// What the process works on, for a message when it has to end there; of literals alone.
+/// What the process works on; of literals alone. There is one for the process, because a thread that sees its memory
+/// grow too large ends all of it and says where.
 void begin_stage(const char* name);
 const char* current_stage();
 

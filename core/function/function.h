@@ -21,7 +21,7 @@ class Function {
   virtual bool takes_pairs() const { return false; }
   virtual Pair evaluate_pair(std::span<const Pair>) const { return Pair{}; }
   /// Names what makes it impossible to evaluate yet (an internal f_* function, say); empty if it can be.
-  virtual std::string not_yet() const = 0;
+  virtual std::string not_yet() const { return {}; }
 
   /// Components of the result: 1, or 2 to 5 for a function of a transform, spline or pigment.
   virtual std::size_t results() const { return 1; }

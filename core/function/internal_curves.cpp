@@ -74,17 +74,17 @@ double strophoid_2d(const FormulaPoint& q) {
 double witch_of_agnesi_2d(const FormulaPoint& q) { return q.p[2] - q.y * (squared(q.p[1]) + q.x2); }
 
 constexpr InternalFormula kFormulas[] = {
-    {"f_algbr_cyl1", on_curve<2, negated<limited_by_p1<algbr_cyl1>>>},
-    {"f_algbr_cyl2", on_curve<2, limited_by_p1<algbr_cyl2>>},
-    {"f_algbr_cyl3", on_curve<2, limited_by_p1<algbr_cyl3>>},
-    {"f_algbr_cyl4", on_curve<2, limited_by_p1<algbr_cyl4>>},
-    {"f_devils_curve_2d", on_curve<3, limited<devils_curve_2d>>},
-    {"f_folium_surface_2d", on_curve<3, limited<folium_surface_2d>>},
-    {"f_kampyle_of_eudoxus_2d", on_curve<3, limited<kampyle_of_eudoxus_2d>>},
-    {"f_lemniscate_of_gerono_2d", on_curve<3, limited<lemniscate_of_gerono_2d>>},
-    {"f_piriform_2d", on_curve<4, limited<piriform_2d>>},
-    {"f_strophoid_2d", on_curve<4, limited<strophoid_2d>>},
-    {"f_witch_of_agnesi_2d", on_curve<3, limited<witch_of_agnesi_2d>>}};
+    {"f_algbr_cyl1", 0, 5, on_curve<2, negated<limited_by_p1<algbr_cyl1>>>},
+    {"f_algbr_cyl2", 1, 5, on_curve<2, limited_by_p1<algbr_cyl2>>},
+    {"f_algbr_cyl3", 2, 5, on_curve<2, limited_by_p1<algbr_cyl3>>},
+    {"f_algbr_cyl4", 3, 5, on_curve<2, limited_by_p1<algbr_cyl4>>},
+    {"f_devils_curve_2d", 15, 6, on_curve<3, limited<devils_curve_2d>>},
+    {"f_folium_surface_2d", 21, 6, on_curve<3, limited<folium_surface_2d>>},
+    {"f_kampyle_of_eudoxus_2d", 34, 6, on_curve<3, limited<kampyle_of_eudoxus_2d>>},
+    {"f_lemniscate_of_gerono_2d", 39, 6, on_curve<3, limited<lemniscate_of_gerono_2d>>},
+    {"f_piriform_2d", 50, 7, on_curve<4, limited<piriform_2d>>},
+    {"f_strophoid_2d", 67, 7, on_curve<4, limited<strophoid_2d>>},
+    {"f_witch_of_agnesi_2d", 75, 6, on_curve<3, limited<witch_of_agnesi_2d>>}};
 
 }  // namespace
 

@@ -16,6 +16,8 @@ namespace lentray::core {
 
 struct InternalFormula {
   std::string_view name;
+  int number;  ///< of function { internal(number) }
+  int extra;   ///< parameters beside x, y, z
   double (*evaluate)(const double* arguments);
   /// The same at two points, in less time than one after the other; null where there is nothing to gain.
   Pair (*evaluate_pair)(const Pair* arguments) = nullptr;

@@ -174,11 +174,13 @@ Pair of_both(const Pair* a) {
 }
 
 constexpr InternalFormula kFormulas[] = {
-    {"f_hetero_mf", hetero_mf, of_both<hetero_mf, hetero_mf, 6>},
-    {"f_noise3d", noise3d, of_both<noise3d, noise3d, 0>},
-    {"f_noise_generator", noise_generator, of_both<noise_generator, noise_generator, 1>},
-    {"f_ridge", ridge, of_both<ridge, ridge, 6>},
-    {"f_ridged_mf", ridged_mf, of_both<ridged_mf, ridged_mf, 6>}};
+    {"f_hetero_mf", 29, 6, hetero_mf, of_both<hetero_mf, hetero_mf, 6>},
+    {"f_noise3d", 76, 0, noise3d, of_both<noise3d, noise3d, 0>},
+    {"f_noise_generator", 78, 1, noise_generator, of_both<noise_generator, noise_generator, 1>},
+    // Called by itself it has no pattern.
+    {"f_pattern", 77, 0, [](const double*) { return 0.0; }},
+    {"f_ridge", 58, 6, ridge, of_both<ridge, ridge, 6>},
+    {"f_ridged_mf", 59, 6, ridged_mf, of_both<ridged_mf, ridged_mf, 6>}};
 
 }  // namespace
 

@@ -22,7 +22,6 @@ class NoiseFunction final : public Function {
   Pair evaluate_pair(std::span<const Pair> a) const override {
     return noise(a[0], a[1], a[2], *m_generator);
   }
-  std::string not_yet() const override { return {}; }
   const int& generator() const { return *m_generator; }
 
  private:

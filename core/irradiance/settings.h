@@ -6,7 +6,7 @@
 
 namespace lentray::core {
 
-/// `radiosity { }` of global_settings; defaults are stock's.
+/// `radiosity { }` of global_settings.
 struct RadiositySettings {
   double adc_bailout = 0.01, brightness = 1.0, error_bound = 1.8, gray_threshold = 0.0;
   double low_error_factor = 0.5, maximum_reuse = 0.2, minimum_reuse = 0.015;

@@ -1,6 +1,6 @@
 // The part of a ray that a light can reach: all of it, or what lies in the light's cone or cylinder.
-// World space. Pure functions.
-// Source: geometry; where stock differs, its samples in media lie elsewhere (docs/media.md).
+// World space. Pure functions. docs/media.md says where the samples in media lie.
+// Source: geometry.
 #pragma once
 
 #include <optional>

@@ -1,6 +1,5 @@
 #include "core/material/blob_texture.h"
 
-#include <algorithm>
 #include <cmath>
 
 namespace lentray::core {
@@ -48,15 +47,6 @@ void BlobTexture::resolve(const Vec3& point, const SurfaceContext& surface, doub
       m_textures[e.element]->resolve(point, surface, weight * share, out);
     }
   }
-}
-
-bool BlobTexture::is_opaque() const {
-  return std::all_of(m_textures.begin(), m_textures.end(),
-                     [](const auto& texture) { return texture->is_opaque(); });
-}
-
-void BlobTexture::collect(std::vector<const LayeredTexture*>& out) const {
-  for (const auto& texture : m_textures) texture->collect(out);
 }
 
 }  // namespace lentray::core

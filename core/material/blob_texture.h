@@ -10,7 +10,7 @@
 
 namespace lentray::core {
 
-class BlobTexture final : public Texture {
+class BlobTexture final : public CompositeTexture {
  public:
   struct Element {
     BlobField field;  ///< `to_blob` leads to the world here
@@ -20,12 +20,9 @@ class BlobTexture final : public Texture {
   BlobTexture(std::vector<Element> elements, double least);
   void resolve(const Vec3& point, const SurfaceContext& surface, double weight,
                WeightedTextures& out) const override;
-  bool is_opaque() const override;
-  void collect(std::vector<const LayeredTexture*>& out) const override;
 
  private:
-  BlobFields m_fields;
-  std::vector<std::shared_ptr<const Texture>> m_textures;  ///< one a field
+  BlobFields m_fields;  ///< one a texture
   double m_least;
 };
 

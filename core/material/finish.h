@@ -1,5 +1,5 @@
-// How a surface answers light. Defaults are stock's for `#version 3.7`.
-// Source: reference manual 3.7, "Finish"; linear colours, angles' cosines without unit.
+// How a surface answers light. Linear colours; cosines of angles.
+// Source: reference manual 3.7, "Finish"; defaults are those of `#version 3.7`.
 #pragma once
 
 #include <optional>

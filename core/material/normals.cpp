@@ -28,21 +28,22 @@ class Frame {
   bool m_keep_scale;
 };
 
-class DisplacedNormal final : public NormalPerturbation {
- public:
-  DisplacedNormal(Frame frame, DisplacementPtr displacement)
-      : m_frame(std::move(frame)), m_displacement(std::move(displacement)) {}
-  Vec3 perturb(const Vec3& point, const Vec3& normal,
-               const SurfaceContext& surface) const override {
-    const Vec3 inner =
-        m_displacement->displaced(m_frame.inwards(point, surface), m_frame.enter(normal));
-    return m_frame.leave(inner);
-  }
+/// The perturbation that makes formula(point, normal, surface) of a normal.
+template <class Formula>
+NormalPtr normal_of(Formula formula) {
+  class Made final : public NormalPerturbation {
+   public:
+    explicit Made(Formula f) : m_formula(std::move(f)) {}
+    Vec3 perturb(const Vec3& point, const Vec3& normal,
+                 const SurfaceContext& surface) const override {
+      return m_formula(point, normal, surface);
+    }
 
- private:
-  Frame m_frame;
-  DisplacementPtr m_displacement;
-};
+   private:
+    Formula m_formula;
+  };
+  return std::make_shared<Made>(std::move(formula));
+}
 
 /// Cubic through both points of a slope map, with their slopes.
 double hermite(double t, const SlopePoint& a, const SlopePoint& b) {
@@ -94,73 +95,15 @@ Vec3 perturbed(const NormalPtr& perturbation, const Vec3& point, const Vec3& nor
   return perturbation ? perturbation->perturb(point, normal, surface) : normal;
 }
 
-class NormalMap final : public NormalPerturbation {
- public:
-  NormalMap(PlacedPattern pattern, BlendMap<NormalPtr> map, bool keep_scale)
-      : m_frame(pattern.placement, keep_scale), m_pattern(std::move(pattern)),
-        m_map(std::move(map)) {}
-  Vec3 perturb(const Vec3& point, const Vec3& normal,
-               const SurfaceContext& surface) const override {
-    const Vec3 local = m_frame.inwards(point, surface);
-    const auto place = m_map.find(m_pattern.value(local, surface));
-    const Vec3 entered = m_frame.enter(normal);
-    Vec3 inner = perturbed(*place.after, local, entered, surface);
-    if (place.before != place.after) {
-      inner = perturbed(*place.before, local, entered, surface) * (1.0 - place.fraction) +
-              inner * place.fraction;
-    }
-    return normalized(m_frame.leave(inner));
-  }
-
- private:
-  Frame m_frame;
-  PlacedPattern m_pattern;
-  BlendMap<NormalPtr> m_map;
-};
-
-class AverageNormal final : public NormalPerturbation {
- public:
-  AverageNormal(Frame frame, std::vector<std::pair<double, NormalPtr>> entries)
-      : m_frame(std::move(frame)), m_entries(std::move(entries)) {
-    for (const auto& [weight, normal] : m_entries) m_total += weight;
-  }
-  Vec3 perturb(const Vec3& point, const Vec3& normal,
-               const SurfaceContext& surface) const override {
-    const Vec3 local = m_frame.inwards(point, surface);
-    const Vec3 entered = m_frame.enter(normal);
-    Vec3 sum;
-    for (const auto& [weight, one] : m_entries)
-      sum += perturbed(one, local, entered, surface) * weight;
-    return m_frame.leave(sum / m_total);
-  }
-
- private:
-  Frame m_frame;
-  std::vector<std::pair<double, NormalPtr>> m_entries;
-  double m_total = 0.0;
-};
-
-class PlacedNormal final : public NormalPerturbation {
- public:
-  PlacedNormal(Frame frame, NormalPtr normal)
-      : m_frame(std::move(frame)), m_normal(std::move(normal)) {}
-  Vec3 perturb(const Vec3& point, const Vec3& normal,
-               const SurfaceContext& surface) const override {
-    return m_frame.leave(
-        m_normal->perturb(m_frame.inwards(point, surface), m_frame.enter(normal), surface));
-  }
-
- private:
-  Frame m_frame;
-  NormalPtr m_normal;
-};
-
 }  // namespace
 
 NormalPtr make_displaced_normal(Placement placement, DisplacementPtr displacement,
                                 bool keep_scale) {
-  return std::make_shared<DisplacedNormal>(Frame(std::move(placement), keep_scale),
-                                           std::move(displacement));
+  return normal_of([frame = Frame(std::move(placement), keep_scale),
+                    displacement = std::move(displacement)](const Vec3& point, const Vec3& normal,
+                                                            const SurfaceContext& surface) {
+    return frame.leave(displacement->displaced(frame.inwards(point, surface), frame.enter(normal)));
+  });
 }
 NormalPtr make_slope_normal(PlacedPattern pattern, double amount, double accuracy,
                             std::optional<BlendMap<SlopePoint>> slopes, bool keep_scale) {
@@ -168,15 +111,39 @@ NormalPtr make_slope_normal(PlacedPattern pattern, double amount, double accurac
                                        keep_scale);
 }
 NormalPtr make_normal_map(PlacedPattern pattern, BlendMap<NormalPtr> map, bool keep_scale) {
-  return std::make_shared<NormalMap>(std::move(pattern), std::move(map), keep_scale);
+  Frame frame(pattern.placement, keep_scale);
+  return normal_of([frame = std::move(frame), pattern = std::move(pattern), map = std::move(map)](
+                       const Vec3& point, const Vec3& normal, const SurfaceContext& surface) {
+    const Vec3 local = frame.inwards(point, surface);
+    const auto place = map.find(pattern.value(local, surface));
+    const Vec3 entered = frame.enter(normal);
+    Vec3 inner = perturbed(*place.after, local, entered, surface);
+    if (place.before != place.after) {
+      inner = perturbed(*place.before, local, entered, surface) * (1.0 - place.fraction) +
+              inner * place.fraction;
+    }
+    return normalized(frame.leave(inner));
+  });
 }
 NormalPtr make_average_normal(Placement placement,
                               std::vector<std::pair<double, NormalPtr>> entries, bool keep_scale) {
-  return std::make_shared<AverageNormal>(Frame(std::move(placement), keep_scale),
-                                         std::move(entries));
+  double total = 0.0;
+  for (const auto& [weight, normal] : entries) total += weight;
+  return normal_of([frame = Frame(std::move(placement), keep_scale), entries = std::move(entries),
+                    total](const Vec3& point, const Vec3& normal, const SurfaceContext& surface) {
+    const Vec3 local = frame.inwards(point, surface);
+    const Vec3 entered = frame.enter(normal);
+    Vec3 sum;
+    for (const auto& [weight, one] : entries)
+      sum += perturbed(one, local, entered, surface) * weight;
+    return frame.leave(sum / total);
+  });
 }
 NormalPtr make_placed_normal(Placement placement, NormalPtr normal, bool keep_scale) {
-  return std::make_shared<PlacedNormal>(Frame(std::move(placement), keep_scale), std::move(normal));
+  return normal_of([frame = Frame(std::move(placement), keep_scale), inner = std::move(normal)](
+                       const Vec3& point, const Vec3& outer, const SurfaceContext& surface) {
+    return frame.leave(inner->perturb(frame.inwards(point, surface), frame.enter(outer), surface));
+  });
 }
 
 }  // namespace lentray::core

@@ -1,6 +1,7 @@
 // How much light a medium scatters into a direction. Pure functions.
-// Source: reference manual 3.7, "Scattering". The mean over all directions is 1 for isotropic and
-// Henyey-Greenstein; stock's factors make it 1.066 for Rayleigh, 1.153 for hazy and 1.247 for murky.
+// The mean over all directions is 1 for isotropic and Henyey-Greenstein, 1.066 for Rayleigh, 1.153 for hazy and
+// 1.247 for murky.
+// Source: reference manual 3.7, "Scattering".
 #pragma once
 
 namespace lentray::core {

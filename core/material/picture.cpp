@@ -64,24 +64,6 @@ bool has_only_opaque(const Picture& picture) {
   return true;
 }
 
-class PicturePigment final : public Pigment {
- public:
-  PicturePigment(Placement placement, MappedPicturePtr picture)
-      : m_placement(std::move(placement)), m_picture(std::move(picture)) {
-    m_opaque = !m_picture->once() && has_only_opaque(m_picture->picture());
-  }
-  Colour colour(const Vec3& point, const SurfaceContext& surface) const override {
-    const auto place = m_picture->place(m_placement.inwards(point, surface));
-    return place ? m_picture->colour(*place) : Colour{{1, 1, 1}, 0, 1};
-  }
-  bool is_opaque() const override { return m_opaque; }
-
- private:
-  Placement m_placement;
-  MappedPicturePtr m_picture;
-  bool m_opaque;
-};
-
 /// The picture's grey as heights one pixel apart.
 class PictureDisplacement final : public Displacement {
  public:
@@ -123,11 +105,11 @@ class PictureDisplacement final : public Displacement {
   bool m_by_index;
 };
 
-class MaterialMap final : public Texture {
+class MaterialMap final : public CompositeTexture {
  public:
   MaterialMap(Placement placement, MappedPicturePtr picture, std::vector<TexturePtr> textures)
-      : m_placement(std::move(placement)), m_picture(std::move(picture)),
-        m_textures(std::move(textures)) {}
+      : CompositeTexture(std::move(textures)), m_placement(std::move(placement)),
+        m_picture(std::move(picture)) {}
   void resolve(const Vec3& point, const SurfaceContext& surface, double weight,
                WeightedTextures& out) const override {
     const auto place = m_picture->place(m_placement.inwards(point, surface));
@@ -141,18 +123,10 @@ class MaterialMap final : public Texture {
     if (number > m_textures.size()) number %= m_textures.size();
     m_textures[std::min(number, m_textures.size() - 1)]->resolve(point, surface, weight, out);
   }
-  bool is_opaque() const override {
-    return std::all_of(m_textures.begin(), m_textures.end(),
-                       [](const TexturePtr& texture) { return texture->is_opaque(); });
-  }
-  void collect(std::vector<const LayeredTexture*>& out) const override {
-    for (const TexturePtr& texture : m_textures) texture->collect(out);
-  }
 
  private:
   Placement m_placement;
   MappedPicturePtr m_picture;
-  std::vector<TexturePtr> m_textures;
 };
 
 }  // namespace
@@ -340,7 +314,12 @@ std::optional<int> MappedPicture::index(const Vec2& place) const {
 }
 
 std::shared_ptr<const Pigment> make_picture_pigment(Placement placement, MappedPicturePtr picture) {
-  return std::make_shared<PicturePigment>(std::move(placement), std::move(picture));
+  const bool is_opaque = !picture->once() && has_only_opaque(picture->picture());
+  return pigment_of(is_opaque, [placement = std::move(placement), picture = std::move(picture)](
+                                   const Vec3& point, const SurfaceContext& surface) {
+    const auto place = picture->place(placement.inwards(point, surface));
+    return place ? picture->colour(*place) : Colour{{1, 1, 1}, 0, 1};
+  });
 }
 PatternPtr make_picture_pattern(MappedPicturePtr picture, bool alpha) {
   return pattern_of([picture = std::move(picture), alpha](const Vec3& point) {

@@ -2,6 +2,9 @@
 // transforms). Immutable; any number of threads may ask at once.
 #pragma once
 
+#include <memory>
+#include <utility>
+
 #include "core/base/color.h"
 #include "core/base/vec3.h"
 #include "core/pattern/surface_context.h"
@@ -19,5 +22,23 @@ class Pigment {
   /// The one colour it has everywhere, or null.
   virtual const Colour* constant() const { return nullptr; }
 };
+
+/// The pigment whose colour at a point of a surface is formula(point, surface).
+template <class Formula>
+std::shared_ptr<const Pigment> pigment_of(bool is_opaque, Formula formula) {
+  class Made final : public Pigment {
+   public:
+    Made(bool opaque, Formula f) : m_opaque(opaque), m_formula(std::move(f)) {}
+    Colour colour(const Vec3& point, const SurfaceContext& surface) const override {
+      return m_formula(point, surface);
+    }
+    bool is_opaque() const override { return m_opaque; }
+
+   private:
+    bool m_opaque;
+    Formula m_formula;
+  };
+  return std::make_shared<Made>(is_opaque, std::move(formula));
+}
 
 }  // namespace lentray::core

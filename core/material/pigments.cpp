@@ -29,140 +29,74 @@ class PlainPigment final : public Pigment {
   Colour m_colour;
 };
 
-class ColourMapPigment final : public Pigment {
- public:
-  ColourMapPigment(PlacedPattern pattern, BlendMap<Colour> map)
-      : m_pattern(std::move(pattern)), m_map(std::move(map)),
-        m_opaque(std::all_of(m_map.items().begin(), m_map.items().end(), opaque)) {}
-  Colour colour(const Vec3& point, const SurfaceContext& surface) const override {
-    const auto place =
-        m_map.find(m_pattern.value(m_pattern.placement.inwards(point, surface), surface));
-    if (place.before == place.after) return *place.after;
-    return blend(*place.before, *place.after, place.fraction);
-  }
-  bool is_opaque() const override { return m_opaque; }
-
- private:
-  PlacedPattern m_pattern;
-  BlendMap<Colour> m_map;
-  bool m_opaque;
-};
-
-class PigmentMapPigment final : public Pigment {
- public:
-  PigmentMapPigment(PlacedPattern pattern, BlendMap<PigmentPtr> map)
-      : m_pattern(std::move(pattern)), m_map(std::move(map)),
-        m_opaque(std::all_of(m_map.items().begin(), m_map.items().end(),
-                             [](const PigmentPtr& p) { return p->is_opaque(); })) {}
-  Colour colour(const Vec3& point, const SurfaceContext& surface) const override {
-    const Vec3 local = m_pattern.placement.inwards(point, surface);
-    const auto place = m_map.find(m_pattern.value(local, surface));
-    const Colour after = (*place.after)->colour(local, surface);
-    if (place.before == place.after) return after;
-    return blend((*place.before)->colour(local, surface), after, place.fraction);
-  }
-  bool is_opaque() const override { return m_opaque; }
-
- private:
-  PlacedPattern m_pattern;
-  BlendMap<PigmentPtr> m_map;
-  bool m_opaque;
-};
-
-class AveragePigment final : public Pigment {
- public:
-  AveragePigment(Placement placement, std::vector<std::pair<double, PigmentPtr>> entries)
-      : m_placement(std::move(placement)), m_entries(std::move(entries)) {
-    for (auto& [weight, pigment] : m_entries) {
-      m_total += static_cast<float>(weight);
-      m_opaque = m_opaque && pigment->is_opaque();
-    }
-  }
-  Colour colour(const Vec3& point, const SurfaceContext& surface) const override {
-    const Vec3 local = m_placement.inwards(point, surface);
-    Colour sum;
-    for (const auto& [weight, pigment] : m_entries) {
-      const Colour one = pigment->colour(local, surface);
-      const auto w = static_cast<float>(weight);
-      sum.rgb += one.rgb * w;
-      sum.filter += one.filter * w;
-      sum.transmit += one.transmit * w;
-    }
-    return {{sum.rgb.r / m_total, sum.rgb.g / m_total, sum.rgb.b / m_total},
-            sum.filter / m_total,
-            sum.transmit / m_total};
-  }
-  bool is_opaque() const override { return m_opaque; }
-
- private:
-  Placement m_placement;
-  std::vector<std::pair<double, PigmentPtr>> m_entries;
-  float m_total = 0.0f;
-  bool m_opaque = true;
-};
-
-class PlacedPigment final : public Pigment {
- public:
-  PlacedPigment(Placement placement, PigmentPtr pigment)
-      : m_placement(std::move(placement)), m_pigment(std::move(pigment)) {}
-  Colour colour(const Vec3& point, const SurfaceContext& surface) const override {
-    return m_pigment->colour(m_placement.inwards(point, surface), surface);
-  }
-  bool is_opaque() const override { return m_pigment->is_opaque(); }
-
- private:
-  Placement m_placement;
-  PigmentPtr m_pigment;
-};
-
-class OpaquePigment final : public Pigment {
- public:
-  explicit OpaquePigment(PigmentPtr pigment) : m_pigment(std::move(pigment)) {}
-  Colour colour(const Vec3& point, const SurfaceContext& surface) const override {
-    return {m_pigment->colour(point, surface).rgb, 0.0f, 0.0f};
-  }
-  bool is_opaque() const override { return true; }
-
- private:
-  PigmentPtr m_pigment;
-};
-
-class PigmentPattern final : public Pattern {
- public:
-  explicit PigmentPattern(PigmentPtr pigment) : m_pigment(std::move(pigment)) {}
-  double value(const Vec3& point) const override { return grey(m_pigment->colour(point).rgb); }
-  double value_on(const Vec3& point, const SurfaceContext& surface) const override {
-    return grey(m_pigment->colour(point, surface).rgb);
-  }
-
- private:
-  PigmentPtr m_pigment;
-};
-
 }  // namespace
 
 PigmentPtr make_plain_pigment(const Colour& colour) {
   return std::make_shared<PlainPigment>(colour);
 }
 PigmentPtr make_colour_map_pigment(PlacedPattern pattern, BlendMap<Colour> map) {
-  return std::make_shared<ColourMapPigment>(std::move(pattern), std::move(map));
+  const bool is_opaque = std::ranges::all_of(map.items(), opaque);
+  return pigment_of(is_opaque, [pattern = std::move(pattern), map = std::move(map)](
+                                   const Vec3& point, const SurfaceContext& surface) {
+    const auto place = map.find(pattern.value(pattern.placement.inwards(point, surface), surface));
+    if (place.before == place.after) return *place.after;
+    return blend(*place.before, *place.after, place.fraction);
+  });
 }
 PigmentPtr make_pigment_map_pigment(PlacedPattern pattern, BlendMap<PigmentPtr> map) {
-  return std::make_shared<PigmentMapPigment>(std::move(pattern), std::move(map));
+  const bool is_opaque =
+      std::ranges::all_of(map.items(), [](const PigmentPtr& p) { return p->is_opaque(); });
+  return pigment_of(is_opaque, [pattern = std::move(pattern), map = std::move(map)](
+                                   const Vec3& point, const SurfaceContext& surface) {
+    const Vec3 local = pattern.placement.inwards(point, surface);
+    const auto place = map.find(pattern.value(local, surface));
+    const Colour after = (*place.after)->colour(local, surface);
+    if (place.before == place.after) return after;
+    return blend((*place.before)->colour(local, surface), after, place.fraction);
+  });
 }
 PigmentPtr make_average_pigment(Placement placement,
                                 std::vector<std::pair<double, PigmentPtr>> entries) {
-  return std::make_shared<AveragePigment>(std::move(placement), std::move(entries));
+  float total = 0.0f;
+  bool is_opaque = true;
+  for (const auto& [weight, pigment] : entries) {
+    total += static_cast<float>(weight);
+    is_opaque = is_opaque && pigment->is_opaque();
+  }
+  return pigment_of(is_opaque, [placement = std::move(placement), entries = std::move(entries),
+                                total](const Vec3& point, const SurfaceContext& surface) {
+    const Vec3 local = placement.inwards(point, surface);
+    Colour sum;
+    for (const auto& [weight, pigment] : entries) {
+      const Colour one = pigment->colour(local, surface);
+      const auto w = static_cast<float>(weight);
+      sum.rgb += one.rgb * w;
+      sum.filter += one.filter * w;
+      sum.transmit += one.transmit * w;
+    }
+    return Colour{{sum.rgb.r / total, sum.rgb.g / total, sum.rgb.b / total},
+                  sum.filter / total,
+                  sum.transmit / total};
+  });
 }
 PigmentPtr make_placed_pigment(Placement placement, PigmentPtr pigment) {
-  return std::make_shared<PlacedPigment>(std::move(placement), std::move(pigment));
+  return pigment_of(pigment->is_opaque(), [placement = std::move(placement), pigment](
+                                              const Vec3& point, const SurfaceContext& surface) {
+    return pigment->colour(placement.inwards(point, surface), surface);
+  });
 }
 PigmentPtr make_opaque_pigment(PigmentPtr pigment) {
   if (pigment->is_opaque()) return pigment;
-  return std::make_shared<OpaquePigment>(std::move(pigment));
+  return pigment_of(
+      true, [pigment = std::move(pigment)](const Vec3& point, const SurfaceContext& surface) {
+        return Colour{pigment->colour(point, surface).rgb, 0.0f, 0.0f};
+      });
 }
 PatternPtr make_pigment_pattern(PigmentPtr pigment) {
-  return std::make_unique<PigmentPattern>(std::move(pigment));
+  return pattern_of(
+      [pigment = std::move(pigment)](const Vec3& point, const SurfaceContext& surface) -> double {
+        return grey(pigment->colour(point, surface).rgb);
+      });
 }
 
 }  // namespace lentray::core

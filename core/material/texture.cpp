@@ -7,10 +7,10 @@
 namespace lentray::core {
 namespace {
 
-class TextureMap final : public Texture {
+class TextureMap final : public CompositeTexture {
  public:
   TextureMap(PlacedPattern pattern, BlendMap<TexturePtr> map)
-      : m_pattern(std::move(pattern)), m_map(std::move(map)) {}
+      : CompositeTexture(map.items()), m_pattern(std::move(pattern)), m_map(std::move(map)) {}
   void resolve(const Vec3& point, const SurfaceContext& surface, double weight,
                WeightedTextures& out) const override {
     const auto place =
@@ -22,41 +22,30 @@ class TextureMap final : public Texture {
     (*place.before)->resolve(point, surface, weight * (1.0 - place.fraction), out);
     (*place.after)->resolve(point, surface, weight * place.fraction, out);
   }
-  bool is_opaque() const override {
-    return std::all_of(m_map.items().begin(), m_map.items().end(),
-                       [](const TexturePtr& texture) { return texture->is_opaque(); });
-  }
-  void collect(std::vector<const LayeredTexture*>& out) const override {
-    for (const TexturePtr& texture : m_map.items()) texture->collect(out);
-  }
 
  private:
   PlacedPattern m_pattern;
   BlendMap<TexturePtr> m_map;
 };
 
-class AverageTexture final : public Texture {
+class AverageTexture final : public CompositeTexture {
  public:
-  explicit AverageTexture(std::vector<std::pair<double, TexturePtr>> entries)
-      : m_entries(std::move(entries)) {
-    for (const auto& [weight, texture] : m_entries) m_total += weight;
+  explicit AverageTexture(const std::vector<std::pair<double, TexturePtr>>& entries) {
+    for (const auto& [weight, texture] : entries) {
+      m_weights.push_back(weight);
+      m_textures.push_back(texture);
+      m_total += weight;
+    }
   }
   void resolve(const Vec3& point, const SurfaceContext& surface, double weight,
                WeightedTextures& out) const override {
-    for (const auto& [share, texture] : m_entries) {
-      texture->resolve(point, surface, weight * share / m_total, out);
+    for (std::size_t i = 0; i < m_textures.size(); ++i) {
+      m_textures[i]->resolve(point, surface, weight * m_weights[i] / m_total, out);
     }
-  }
-  bool is_opaque() const override {
-    return std::all_of(m_entries.begin(), m_entries.end(),
-                       [](const auto& entry) { return entry.second->is_opaque(); });
-  }
-  void collect(std::vector<const LayeredTexture*>& out) const override {
-    for (const auto& [weight, texture] : m_entries) texture->collect(out);
   }
 
  private:
-  std::vector<std::pair<double, TexturePtr>> m_entries;
+  std::vector<double> m_weights;
   double m_total = 0.0;
 };
 
@@ -67,11 +56,19 @@ bool LayeredTexture::is_opaque() const {
                      [](const TextureLayer& layer) { return layer.pigment->is_opaque(); });
 }
 
+bool CompositeTexture::is_opaque() const {
+  return std::ranges::all_of(m_textures, [](const auto& texture) { return texture->is_opaque(); });
+}
+
+void CompositeTexture::collect(std::vector<const LayeredTexture*>& out) const {
+  for (const auto& texture : m_textures) texture->collect(out);
+}
+
 TexturePtr make_texture_map(PlacedPattern pattern, BlendMap<TexturePtr> map) {
   return std::make_shared<TextureMap>(std::move(pattern), std::move(map));
 }
-TexturePtr make_average_texture(std::vector<std::pair<double, TexturePtr>> entries) {
-  return std::make_shared<AverageTexture>(std::move(entries));
+TexturePtr make_average_texture(const std::vector<std::pair<double, TexturePtr>>& entries) {
+  return std::make_shared<AverageTexture>(entries);
 }
 
 }  // namespace lentray::core

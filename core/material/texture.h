@@ -58,4 +58,17 @@ class LayeredTexture final : public Texture {
   std::vector<TextureLayer> m_layers;
 };
 
+/// Chooses among other textures, or blends them.
+class CompositeTexture : public Texture {
+ public:
+  bool is_opaque() const final;
+  void collect(std::vector<const LayeredTexture*>& out) const final;
+
+ protected:
+  CompositeTexture() = default;
+  explicit CompositeTexture(std::vector<std::shared_ptr<const Texture>> textures)
+      : m_textures(std::move(textures)) {}
+  std::vector<std::shared_ptr<const Texture>> m_textures;
+};
+
 }  // namespace lentray::core

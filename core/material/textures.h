@@ -17,6 +17,6 @@ using TexturePtr = std::shared_ptr<const Texture>;
 
 TexturePtr make_texture_map(PlacedPattern pattern, BlendMap<TexturePtr> map);
 /// Weights need not sum to 1.
-TexturePtr make_average_texture(std::vector<std::pair<double, TexturePtr>> entries);
+TexturePtr make_average_texture(const std::vector<std::pair<double, TexturePtr>>& entries);
 
 }  // namespace lentray::core

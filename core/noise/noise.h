@@ -1,5 +1,5 @@
-// Solid noise and what is built on it, with the very values of POV-Ray 3.7: scenes are designed on
-// them. Pure functions of the point (pattern space); tables are made once, then only read.
+// Solid noise and what is built on it. Textures are designed on its very values. Pure functions of the point
+// (pattern space); tables are made once, then only read.
 // Source: reference manual 3.7, "Noise Generators", "Turbulence"; constants looked up, values
 // compared with stock by tests/image/patterns_test.cpp.
 #pragma once

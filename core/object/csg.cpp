@@ -161,7 +161,7 @@ bool Csg::any_inside(const Vec3& p, std::size_t except) const {
     }
     return false;
   }
-  const Search& search = this->search();
+  const Search& search = *m_search;
   for (const std::uint32_t i : search.open_solids) {
     if (i != except && m_children[i]->inside(p)) return true;
   }
@@ -187,7 +187,7 @@ bool Csg::every_inside(const Vec3& p, std::size_t except) const {
     }
     return true;
   }
-  const Search& search = this->search();
+  const Search& search = *m_search;
   for (const std::uint32_t i : search.open_solids) {
     if (i != except && !m_children[i]->inside(p)) return false;
   }
@@ -319,7 +319,7 @@ void Csg::for_boxes_met(const Ray& ray, double t_min, double t_max, Visit&& visi
     }
     return;
   }
-  const Search& search = this->search();
+  const Search& search = *m_search;
   for (const std::uint32_t i : search.open_surfaces) {
     if (visit(i, t_max, kNone)) return;
   }

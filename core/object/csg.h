@@ -30,6 +30,7 @@ class Csg final : public Object {
   bool inside(const Vec3& p) const override;
   void leaves(std::vector<const Leaf*>& out) const override;
   void set_inverse(bool inverse) override;
+  void complete() override;
   Bounds solid_bounds() const override;
   Bounds void_bounds() const override;
   Ball solid_ball() const override;
@@ -98,10 +99,7 @@ class Csg final : public Object {
                     const RayQuery&) const;
   void fence_children();
   static Fence fence_of(const Object& child);
-  void fill_fences() const;
   Ball surface_ball() const;
-  const Search& search() const;
-  void build_search() const;
 
   CsgKind m_kind;
   std::string_view m_name;
@@ -112,8 +110,8 @@ class Csg final : public Object {
   /// kHidden where parts of a union or merge are invisible to some rays; kOverlap for an intersection of
   /// many convex parts, and for the inverse of one.
   std::size_t m_core = kNobody;
-  mutable std::vector<Fence> m_fences;  ///< one a child; of many that are joined, made by search()
-  std::unique_ptr<Search> m_search;     ///< where there are many children
+  std::vector<Fence> m_fences;       ///< one a child; of many that are joined, made by complete()
+  std::unique_ptr<Search> m_search;  ///< where there are many children, from complete() on
   std::vector<std::unique_ptr<Object>> m_children;
 };
 

@@ -1,7 +1,6 @@
 // The boxes and balls of a CSG, from those of its parts, and which of them are asked first.
 #include <algorithm>
 #include <memory>
-#include <mutex>
 #include <numbers>
 #include <typeinfo>
 
@@ -32,8 +31,7 @@ Csg::Fence Csg::fence_of(const Object& child) {
 void Csg::fence_children() {
   const std::size_t n = m_children.size();
   const bool join = joins(m_kind);
-  const bool later =
-      join && n >= kMany;  // most such unions are split into their parts and never ask
+  const bool later = join && n >= kMany;  // most such unions are split into their parts
   m_fences.clear();
   if (!later) m_fences.reserve(n);
   m_surface = Bounds();
@@ -67,7 +65,7 @@ void Csg::fence_children() {
   }
   if (m_solid.is_empty()) m_solid = Bounds();
   if (m_void.is_empty()) m_void = Bounds();
-  m_search = m_children.size() < kMany ? nullptr : std::make_unique<Search>();
+  m_search.reset();
   set_lies_in_parts(lies_in_parts);
   set_ball(surface_ball());
   choose_tests();
@@ -77,7 +75,7 @@ void Csg::fence_children() {
 void Csg::choose_tests() {
   m_core = hides_parts() ? kHidden : kNobody;
   set_closed(false);
-  if (m_search) {
+  if (m_children.size() >= kMany) {
     if (m_core == kNobody && is_overlap()) m_core = kOverlap;
     return;
   }
@@ -135,19 +133,14 @@ Ball Csg::solid_ball() const {
   return within_clips(ball);
 }
 
-/// Built when it is asked for first: most unions are split into their parts and never ask.
-const Csg::Search& Csg::search() const {
-  std::call_once(m_search->once, [this] { build_search(); });
-  return *m_search;
-}
-
-void Csg::fill_fences() const {
-  m_fences.reserve(m_children.size());
-  for (const auto& child : m_children) m_fences.push_back(fence_of(*child));
-}
-
-void Csg::build_search() const {
-  if (m_fences.empty()) fill_fences();
+void Csg::complete() {
+  for (const auto& child : m_children) child->complete();
+  if (m_children.size() < kMany) return;
+  if (m_fences.empty()) {
+    m_fences.reserve(m_children.size());
+    for (const auto& child : m_children) m_fences.push_back(fence_of(*child));
+  }
+  m_search = std::make_unique<Search>();
   std::vector<Bounds> surfaces(m_children.size()), solids(m_children.size());
   for (std::size_t i = 0; i < m_children.size(); ++i) {
     const Fence& fence = m_fences[i];

@@ -4,7 +4,6 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <mutex>
 #include <vector>
 
 #include "core/bvh/wide_bvh.h"
@@ -20,7 +19,6 @@ struct Csg::Search {
   std::vector<std::uint32_t> open_surfaces, open_solids;
   std::size_t in_beyond = 0;   ///< children in `solids` that are inside beyond their box
   std::size_t out_beyond = 0;  ///< ... outside beyond it
-  std::once_flag once;
 };
 
 }  // namespace lentray::core

@@ -1,8 +1,7 @@
 // An object of a compiled scene: what rays can meet, with its material and its clips. Shapes that stand in
 // the world are core/object/leaf.h, CSG of objects is core/object/csg.h, what is seen through bounds alone
 // is core/object/gated.h.
-// Space: world. Constant to its users while rendering: a CSG of many parts builds their hierarchy at
-// the first question. Scratch memory comes from the caller's HitArena.
+// Space: world. Immutable while rendering. Scratch memory comes from the caller's HitArena.
 // Source: reference manual 3.7, "Objects", "Object Modifiers".
 #pragma once
 
@@ -45,6 +44,9 @@ class Object {
   }
   /// As SDL's inside(): clipping and `inverse` count.
   virtual bool inside(const Vec3& p) const = 0;
+  /// Comes once all else is set and the object stays whole, before any question of a ray or a point. A CSG
+  /// of many parts builds the hierarchies over them.
+  virtual void complete() {}
   /// Every primitive below, itself included (for what materials and types occur).
   virtual void leaves(std::vector<const Leaf*>& out) const = 0;
 

@@ -18,8 +18,7 @@ PathRules unlit(const Scene& scene) {
 GatherThreads::Thread::Thread(const Scene& scene, const Illumination& light,
                               const ShadowTesterFactory& factory)
     : context(scene, false, &light), shadows(factory.make(context)),
-      camera(Integrator::make(context, *shadows, unlit(scene))),
-      gatherer(make_gatherer(context, *shadows)) {
+      camera(context, *shadows, unlit(scene)), gatherer(make_gatherer(context, *shadows)) {
   context.indirect = &recorder;
 }
 
@@ -34,7 +33,7 @@ void GatherThreads::trace(std::span<const GatherRay> rays, const SampleLookup* a
   m_run.each(rays.size(), [&](unsigned number, std::size_t ray) {
     Thread& own = thread(number);
     own.recorder.record_to(records[ray], asked != nullptr, early(asked));
-    records[ray].seen = own.gatherer->gather(rays[ray]);
+    records[ray].seen = own.gatherer.gather(rays[ray]);
   });
 }
 
@@ -43,7 +42,7 @@ void GatherThreads::look(std::span<const PassRay> rays, const SampleLookup& aske
   m_run.each(rays.size(), [&](unsigned number, std::size_t ray) {
     Thread& own = thread(number);
     own.recorder.record_to(records[ray], true, early(&asked));
-    if (rays[ray].shows) own.camera->trace(rays[ray].ray, rays[ray].pixel);
+    if (rays[ray].shows) own.camera.trace(rays[ray].ray, rays[ray].pixel);
   });
 }
 

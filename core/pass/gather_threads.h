@@ -34,7 +34,8 @@ class GatherThreads final : public GatherTeam {
              std::span<GatherRecord> records) override;
   bool recall(std::string& record) override { return m_run.recall(record); }
   void keep(std::string_view record) override { m_run.keep(record); }
-  /// What is asked behind camera rays; the light they bring is nobody's.
+  /// Traces the camera rays and records the queries for indirect light that their surfaces make. The light along
+  /// the rays is not used.
   void look(std::span<const PassRay> rays, const SampleLookup& asked,
             std::span<GatherRecord> records);
   /// Adds the rays that were traced to the pass's numbers.
@@ -45,8 +46,8 @@ class GatherThreads final : public GatherTeam {
     Thread(const Scene& scene, const Illumination& light, const ShadowTesterFactory& factory);
     ThreadContext context;
     std::unique_ptr<ShadowTester> shadows;
-    std::unique_ptr<Integrator> camera;
-    std::unique_ptr<Follow> gatherer;
+    Integrator camera;
+    Integrator gatherer;
     QueryRecorder recorder;
   };
   /// That number's, made on its own thread.

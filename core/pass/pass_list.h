@@ -27,12 +27,13 @@ struct PassOptions {
 
 class PassList {
  public:
-  /// It outlives the list.
+  /// The pass must outlive the list.
   void add(Pass& pass) { m_passes.push_back(&pass); }
   bool is_empty() const { return m_passes.empty(); }
   /// False if it was cancelled: then results are not whole. Without passes it does nothing.
   bool run(const PassOptions& options);
-  /// Hears of the film, as the last part of all the work; null if nobody listens.
+  /// The listener for the progress of rendering, which counts as the last part of passes and rendering together;
+  /// null without PassOptions::progress.
   Progress* film_progress();
   /// Of passes that have ended.
   const std::vector<PassReport>& reports() const { return m_reports; }

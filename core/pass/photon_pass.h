@@ -1,7 +1,8 @@
 // Shoots the photons of a scene, before anything is seen of it: unit after unit, ring after ring. World
-// space. The photons and their order are stock's with one thread; those in media lie at random elsewhere by
-// as much as `jitter` says.
-// Source: reference manual 3.7, "Photons"; core/photon/rings.h.
+// space. Photons come in one order, whatever the number of threads. Those in media are moved at random by as much
+// as `jitter` says.
+// Source: reference manual 3.7, "Photons"; photons and order are those of POV-Ray 3.7 with one thread
+// (core/photon/rings.h).
 #pragma once
 
 #include <cstdint>

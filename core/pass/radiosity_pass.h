@@ -1,7 +1,8 @@
 // Makes the samples of radiosity that a picture is then lit with: level after level of places that lie ever
 // closer, at last every pixel, so that the picture itself adds nothing. Pixels of the picture; world space.
-// The order of the places and of what is decided at them is stock's with one thread, so the samples are, too.
-// Source: reference manual 3.7, "Radiosity", "How Radiosity Works"; core/irradiance/pretrace.h.
+// Places come in one order, and so does what is decided at them, whatever the number of threads.
+// Source: reference manual 3.7, "Radiosity", "How Radiosity Works"; the order is that of POV-Ray 3.7 with one
+// thread (core/irradiance/pretrace.h).
 #pragma once
 
 #include <cstdint>
@@ -10,7 +11,7 @@
 #include <utility>
 #include <vector>
 
-#include "core/irradiance/stock_samples.h"
+#include "core/irradiance/rca_samples.h"
 #include "core/pass/pass.h"
 #include "core/render/ray_source.h"
 #include "core/trace/illumination.h"

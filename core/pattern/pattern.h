@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstdint>
 #include <memory>
+#include <type_traits>
 #include <utility>
 
 #include "core/base/simd.h"
@@ -36,13 +37,20 @@ inline std::int64_t whole_below(double v) {
 
 using PatternPtr = std::unique_ptr<const Pattern>;
 
-/// The pattern whose value at a point is formula(point).
+/// The pattern whose value at a point is formula(point), or formula(point, surface).
 template <class Formula>
 PatternPtr pattern_of(Formula formula) {
   class Made final : public Pattern {
    public:
     explicit Made(Formula f) : m_formula(std::move(f)) {}
-    double value(const Vec3& point) const override { return m_formula(point); }
+    double value(const Vec3& point) const override { return value_on(point, kNoSurface); }
+    double value_on(const Vec3& point, const SurfaceContext& surface) const override {
+      if constexpr (std::is_invocable_v<const Formula&, const Vec3&>) {
+        return m_formula(point);
+      } else {
+        return m_formula(point, surface);
+      }
+    }
 
    private:
     Formula m_formula;

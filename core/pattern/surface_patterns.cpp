@@ -54,19 +54,15 @@ class SlopePattern final : public Pattern {
   bool m_has_altitude = false;
 };
 
-class AoiPattern final : public Pattern {
- public:
-  double value(const Vec3&) const override { return 0.0; }
-  double value_on(const Vec3&, const SurfaceContext& surface) const override {
-    if (!surface.hit) return 0.0;
-    const double cosine = dot(normalized(surface.normal), normalized(surface.direction));
-    return std::acos(std::clamp(cosine, -1.0, 1.0)) / std::numbers::pi;
-  }
-};
-
 }  // namespace
 
 PatternPtr make_slope(const Slope& slope) { return std::make_unique<SlopePattern>(slope); }
-PatternPtr make_aoi() { return std::make_unique<AoiPattern>(); }
+PatternPtr make_aoi() {
+  return pattern_of([](const Vec3&, const SurfaceContext& surface) {
+    if (!surface.hit) return 0.0;
+    const double cosine = dot(normalized(surface.normal), normalized(surface.direction));
+    return std::acos(std::clamp(cosine, -1.0, 1.0)) / std::numbers::pi;
+  });
+}
 
 }  // namespace lentray::core

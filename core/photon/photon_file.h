@@ -1,4 +1,4 @@
-// Photons as POV-Ray's `save_file` writes them: the number of those on surfaces (32 bits), these, and the same
+// The file of `save_file`: the number of those on surfaces (32 bits), these, and the same
 // of those in media, which older files lack. Little-endian; 20 bytes a photon. Pure functions of bytes.
 // Source: files that POV-Ray 3.7 wrote.
 #pragma once

@@ -3,12 +3,41 @@
 #include <algorithm>
 #include <utility>
 
-#include "core/render/film_centres.h"
-#include "core/render/film_corners.h"
-#include "core/render/film_one_pass.h"
+#include "core/render/film_of.h"
 
 namespace lentray::core {
 namespace {
+
+/// Of pixels that do not depend on one another: each is traced once, in the pixel order.
+class OnePassBand : public FilmBand {
+ public:
+  OnePassBand(const FilmPlan& plan, std::uint32_t first, std::uint32_t end, std::uint32_t top,
+              Image& image)
+      : m_setup(plan.setup), m_top(top), m_image(image), m_order(plan.orders.band(first, end)) {
+    recall_colours(m_setup, 0, first, end, top, image);
+  }
+  std::size_t stages() const override { return 1; }
+  std::size_t jobs(std::size_t) const override { return m_order->jobs(); }
+
+  bool work(std::size_t, std::size_t job, FilmThread& thread) override {
+    m_order->pixels(job, thread.pixels);
+    leave_out(m_setup.known(0), thread.pixels);
+    if (!trace(thread)) return false;
+    if (m_setup.keeps()) keep_colours(m_setup, 0, m_top, m_image, thread);
+    return true;
+  }
+
+ protected:
+  /// The thread's pixels, into the image; false if it was cancelled meanwhile.
+  virtual bool trace(FilmThread& thread) = 0;
+
+  const FilmSetup& m_setup;
+  const std::uint32_t m_top;
+  Image& m_image;
+
+ private:
+  const std::unique_ptr<PixelOrder> m_order;
+};
 
 /// One sample a pixel.
 class PlainBand final : public OnePassBand {
@@ -101,8 +130,8 @@ std::unique_ptr<Film> Film::make(FilmSetup setup, const BandOrders& orders) {
   switch (setup.antialiasing.method) {
     case 1: return make_film_of_centres(std::move(setup), orders);
     case 2: return make_film_of_corners(std::move(setup), orders);
-    case 3: return std::make_unique<OnePassFilm<GridBand>>(std::move(setup), orders);
-    default: return std::make_unique<OnePassFilm<PlainBand>>(std::move(setup), orders);
+    case 3: return std::make_unique<FilmOf<FilmPlan, GridBand>>(std::move(setup), orders);
+    default: return std::make_unique<FilmOf<FilmPlan, PlainBand>>(std::move(setup), orders);
   }
 }
 

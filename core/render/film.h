@@ -4,8 +4,8 @@
 // Pixels of the image; colours linear in the scene's working space.
 //
 //   no antialiasing   one sample a pixel, in the pixel order
-//   method 1          core/render/film_centres.h
-//   method 2          core/render/film_corners.h
+//   method 1          core/render/film_centres.cpp
+//   method 2          core/render/film_corners.cpp
 //   method 3          GridBand in core/render/film.cpp
 #pragma once
 

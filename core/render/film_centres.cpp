@@ -1,4 +1,15 @@
-#include "core/render/film_centres.h"
+// Antialiasing method 1: adaptive, not recursive. All pixels' centres come first, in the pixel
+// order; then, row by row, a pixel is compared with what its left and upper neighbours have become,
+// and where two differ both get depth x depth samples more.
+//
+// What a pixel becomes depends on what happened before it, so the rows are chains. They begin anew
+// in tiles of PixelLattice::kTile pixels each way, counted from the image's corner: a tile sees the
+// bare centres of the pixels around it. So tiles can be traced alone and at once, and a part of a
+// picture has the whole picture's pixels. Within a tile, pixels that do not join one another (other
+// views behind a lens sheet) are chains of their own.
+// Source: reference manual 3.7, "Sampling_Method"; the order of the comparisons and the weights
+// measured on stock by image.antialiasing.
+#include "core/render/film_of.h"
 
 #include <algorithm>
 #include <tuple>
@@ -79,16 +90,13 @@ std::vector<Chain> chains_of(const FilmSetup& setup) {
   return out;
 }
 
-/// What all bands share.
-struct Plan {
-  Plan(FilmSetup s, const BandOrders& o)
-      : setup(std::move(s)), orders(o), chains(chains_of(setup)),
+struct CentresPlan : FilmPlan {
+  CentresPlan(FilmSetup s, const BandOrders& o)
+      : FilmPlan(std::move(s), o), chains(chains_of(setup)),
         columns(traced_columns_of_centres(setup)),
         base(columns.left == 0 ? setup.lattice.leftmost()
                                : static_cast<std::int32_t>(columns.left)),
         stride(static_cast<std::size_t>(static_cast<std::int32_t>(columns.right) - base)) {}
-  FilmSetup setup;
-  const BandOrders& orders;
   std::vector<Chain> chains;
   FilmColumns columns;
   std::int32_t base;   ///< the first column that is kept, perhaps outside the image
@@ -98,8 +106,8 @@ struct Plan {
 class CentresBand final : public FilmBand {
  public:
   /// Rows [top, bottom), whole tiles; the image begins with row `image_top`.
-  CentresBand(const Plan& plan, std::uint32_t top, std::uint32_t bottom, std::uint32_t image_top,
-              Image& image)
+  CentresBand(const CentresPlan& plan, std::uint32_t top, std::uint32_t bottom,
+              std::uint32_t image_top, Image& image)
       : m_plan(plan), m_setup(plan.setup), m_top(top), m_bottom(bottom), m_image_top(image_top),
         m_image(image) {
     const std::uint32_t first = top > 0 ? top - 1 : 0;
@@ -309,29 +317,13 @@ class CentresBand final : public FilmBand {
     sampled = 1;
   }
 
-  const Plan& m_plan;
+  const CentresPlan& m_plan;
   const FilmSetup& m_setup;
   const std::uint32_t m_top, m_bottom, m_image_top;
   Image& m_image;
   std::unique_ptr<PixelOrder> m_order;
   std::vector<std::pair<std::int32_t, std::int32_t>> m_border;  ///< pixels outside the image
   std::vector<Centre> m_centres;
-};
-
-class CentresFilm final : public Film {
- public:
-  CentresFilm(FilmSetup setup, const BandOrders& orders) : m_plan(std::move(setup), orders) {}
-  std::unique_ptr<FilmBand> band(std::uint32_t top, std::uint32_t bottom,
-                                 Image& image) const override {
-    const PixelRegion& region = m_plan.setup.region;
-    const std::uint32_t first = std::max(top, region.top / kTile * kTile);
-    const std::uint32_t end = std::min(bottom, (region.bottom + kTile - 1) / kTile * kTile);
-    if (first >= end || region.top >= region.bottom || m_plan.chains.empty()) return nullptr;
-    return std::make_unique<CentresBand>(m_plan, first, end, top, image);
-  }
-
- private:
-  const Plan m_plan;
 };
 
 }  // namespace
@@ -352,7 +344,7 @@ FilmColumns traced_columns_of_centres(const FilmSetup& setup) {
 }
 
 std::unique_ptr<Film> make_film_of_centres(FilmSetup setup, const BandOrders& orders) {
-  return std::make_unique<CentresFilm>(std::move(setup), orders);
+  return std::make_unique<FilmOf<CentresPlan, CentresBand>>(std::move(setup), orders);
 }
 
 }  // namespace lentray::core

@@ -61,8 +61,8 @@ void take_jobs(Work& work) {
   ThreadContext context(work.scene, work.options.count_tests, work.options.illumination);
   const std::unique_ptr<ShadowTester> tester = work.shadows.make(context);
   const std::unique_ptr<IndirectLight> indirect = make_indirect_light(context, *tester);
-  const std::unique_ptr<Integrator> integrator = Integrator::make(context, *tester);
-  Sampler sampler(work.camera, {work.options.angles, work.options.alpha}, *integrator);
+  Integrator integrator(context, *tester);
+  Sampler sampler(work.camera, {work.options.angles, work.options.alpha}, integrator);
   std::optional<FrameMeter> meter;
   if (work.progress) meter.emplace(*work.progress);
   static constexpr std::atomic<bool> kNever{false};

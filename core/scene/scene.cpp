@@ -85,18 +85,18 @@ bool has_room(std::size_t lights, std::size_t objects, std::uint32_t cells) {
   return bytes < kSmall || bytes < kShare * (memory_limit() - resident_bytes());
 }
 
-/// Fills a buffer for each of the lights, on all threads where there is much to do.
-template <class Fill>
-void each_light(std::size_t lights, std::size_t casters, Fill&& fill) {
+/// do_range(first, end) for all of [0, count), on all threads where there is much to do.
+template <class DoRange>
+void in_ranges(std::size_t count, std::size_t cost_each, DoRange&& do_range) {
 #ifdef __SANITIZE_THREAD__
   // What oneTBB's library synchronises inside is not seen.
   constexpr std::size_t kMuch = ~std::size_t{0};
 #else
   constexpr std::size_t kMuch = 1u << 16;
 #endif
-  if (lights == 1 || lights * casters < kMuch) return fill(0, lights);
-  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, lights),
-                    [&](const auto& range) { fill(range.begin(), range.end()); });
+  if (count == 1 || count * cost_each < kMuch) return do_range(0, count);
+  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, count),
+                    [&](const auto& range) { do_range(range.begin(), range.end()); });
 }
 
 double tolerance_scale_of(const Bounds& all) {
@@ -114,7 +114,13 @@ Scene::Scene(SceneParts parts, const CompileOptions& options)
   for (auto& object : m_parts.objects) split.add(std::move(object), whole++);
   m_parts.objects = std::move(split.objects);
   set_opacity(m_parts.objects);
-  for (auto& object : m_parts.objects) object->set_test_cost(test_cost(*object));
+  constexpr std::size_t kCompletion = 16;
+  in_ranges(m_parts.objects.size(), kCompletion, [this](std::size_t first, std::size_t end) {
+    for (std::size_t i = first; i < end; ++i) {
+      m_parts.objects[i]->complete();
+      m_parts.objects[i]->set_test_cost(test_cost(*m_parts.objects[i]));
+    }
+  });
   for (std::uint32_t i = 0; i < m_parts.lights.size(); ++i) {
     if (!m_parts.lights[i].grouped) m_global_lights.push_back(i);
   }
@@ -138,7 +144,7 @@ void Scene::build_light_buffers(std::uint64_t camera_rays) {
   const std::uint32_t cells = buffer_cells(m_parts.objects.size(), camera_rays, suited.size());
   if (!has_room(suited.size(), m_parts.objects.size(), cells)) return;
   const LightCasters casters(m_parts.objects);
-  each_light(suited.size(), casters.size(), [&](std::size_t first, std::size_t end) {
+  in_ranges(suited.size(), casters.size(), [&](std::size_t first, std::size_t end) {
     LightBufferBuilder builder(casters, kShadowTolerance * m_tolerance_scale);
     for (std::size_t i = first; i < end; ++i) {
       auto buffer = std::make_unique<LightBuffer>(m_parts.lights[suited[i]].position);

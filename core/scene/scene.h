@@ -29,7 +29,7 @@ namespace lentray::core {
 class Hierarchy;
 class LightBuffer;
 
-/// From global_settings and the atmosphere; defaults are stock's under `#version 3.7`.
+/// From global_settings and the atmosphere; defaults are those of `#version 3.7`.
 struct SceneSettings {
   int max_trace_level = 5;
   double adc_bailout = 1.0 / 255.0;

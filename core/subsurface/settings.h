@@ -1,5 +1,5 @@
-// What a scene asks of subsurface light. Plain values; defaults are stock's.
-// Source: reference manual 3.7, "Subsurface Light Transport".
+// What a scene asks of subsurface light. Plain values.
+// Source: reference manual 3.7, "Subsurface Light Transport"; defaults are those of POV-Ray 3.7.
 #pragma once
 
 namespace lentray::core {

@@ -1,6 +1,7 @@
-// A gather of a pass as bytes, so that a pass that is cut off is continued: what it answered, the samples
-// that it and the gathers of its rays made, and where all that goes on stands afterwards. Bytes are of this
-// machine's kind. Pure functions.
+// Serialises one gather of a radiosity pass, so that an interrupted pass can go on where it stopped. A record
+// holds the light that was gathered, the samples that the gather and the gathers of its rays added to the cache,
+// and the state afterwards: the places in the cycles of directions, and the counts. Numbers have this machine's
+// byte order. Pure functions.
 #pragma once
 
 #include <cstdint>

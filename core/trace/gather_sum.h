@@ -8,7 +8,7 @@
 #include <cmath>
 #include <limits>
 
-#include "core/trace/follow.h"
+#include "core/trace/gather_ray.h"
 
 namespace lentray::core {
 
@@ -53,7 +53,8 @@ class GatherSum {
     m_nearest = distance;
     m_to_nearest = direction;
   }
-  /// Things of less importance are hit by the first rays alone: each stands for so many.
+  /// Only the first rays of a gather shade objects of importance below 1. The weight of each makes up for the
+  /// rays that do not.
   double rays_for(float importance) const {
     return importance < 1.0f ? m_wanted / (std::floor(importance * (m_wanted - 1.0)) + 1.0) : 1.0;
   }

@@ -28,12 +28,12 @@ class IndirectLight {
   virtual ~IndirectLight() = default;
   /// A camera ray begins. `is_centre`: of a pixel; `key`: of its random numbers.
   virtual void begin(Pixel pixel, bool is_centre, std::uint64_t key) = 0;
-  /// False: there have been as many bounces as the scene wants.
+  /// False where the scene's number of bounces is reached.
   virtual bool is_wanted() const = 0;
-  /// Only while it is wanted.
+  /// The indirect light at a place. Call it only while is_wanted().
   virtual IndirectAnswer at(const IndirectQuery& query) = 0;
-  /// So much of an answer's light is in what the first surface of the ray sends on; `is_first`: false: the
-  /// surface is another one.
+  /// The first surface that a camera ray meets multiplies the light of answer `number` by `share` in what it sends
+  /// to the camera. `is_first` is false where the query came from a surface behind that one.
   virtual void take_share([[maybe_unused]] std::uint32_t number, [[maybe_unused]] const Rgb& share,
                           [[maybe_unused]] bool is_first) {}
 };

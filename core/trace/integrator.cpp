@@ -1,12 +1,9 @@
 #include "core/trace/integrator.h"
 
 #include <algorithm>
-#include <cstddef>
-#include <vector>
 
 #include "core/base/deep_threads.h"
 #include "core/trace/indirect_light.h"
-#include "core/trace/ray_stepper.h"
 
 namespace lentray::core {
 namespace {
@@ -16,35 +13,16 @@ bool is_first_sample(Pixel pixel, std::uint64_t key) {
   return key == std::bit_cast<std::uint64_t>(pixel);
 }
 
-/// Follows a ray and all that goes on from it, depth first. No allocation per ray once its buffers have
-/// grown.
-class WhittedIntegrator final : public Integrator {
- public:
-  WhittedIntegrator(ThreadContext& context, ShadowTester& shadows, const PathRules& rules)
-      : m_context(context), m_stepper(context, shadows, rules) {}
+}  // namespace
 
-  using Integrator::trace;
-  Radiance trace(const Ray& ray, Pixel pixel, std::uint64_t key) override;
-  GatheredRay gather(const GatherRay& ray) override;
+Integrator::Integrator(ThreadContext& context, ShadowTester& shadows)
+    : Integrator(context, shadows, PathRules{context.scene.settings().adc_bailout}) {}
 
- private:
-  Radiance follow(const RayState& state);
-  /// The same without a call: most pictures have little more than camera rays.
-  Radiance follow_here(const RayState& state);
-  /// Whether the ray would be one too many on the way, which is counted.
-  bool is_too_deep();
-  RayRecord& enter_ray();
-  /// What the ray brings, once its record is filled.
-  Radiance leave_ray(const RayState& state, const RayRecord& record);
+Integrator::Integrator(ThreadContext& context, ShadowTester& shadows, const PathRules& rules)
+    : m_context(context), m_stepper(context, shadows, rules) {}
 
-  ThreadContext& m_context;
-  RayStepper m_stepper;
-  std::vector<std::unique_ptr<RayRecord>> m_records;  ///< one a ray on the way
-  std::size_t m_depth = 0;                            ///< rays on the way
-};
-
-[[gnu::always_inline]] inline Radiance WhittedIntegrator::leave_ray(const RayState& state,
-                                                                    const RayRecord& record) {
+[[gnu::always_inline]] inline Radiance Integrator::leave_ray(const RayState& state,
+                                                             const RayRecord& record) {
   Radiance seen = record.onward.empty() && record.parts.empty()
                       ? record.own
                       : record.gather([this](const OnwardRay& r) { return follow(r.state); });
@@ -53,35 +31,35 @@ class WhittedIntegrator final : public Integrator {
   return seen;
 }
 
-[[gnu::always_inline]] inline RayRecord& WhittedIntegrator::enter_ray() {
+[[gnu::always_inline]] inline RayRecord& Integrator::enter_ray() {
   if (m_depth == m_records.size()) m_records.push_back(std::make_unique<RayRecord>());
   return *m_records[m_depth++];
 }
 
 /// Clear surfaces do not count as levels, so that there may be any number of them.
-[[gnu::always_inline]] inline bool WhittedIntegrator::is_too_deep() {
+[[gnu::always_inline]] inline bool Integrator::is_too_deep() {
   if (m_depth < kMostRays) [[likely]]
     return false;
   ++m_context.counters.cut_rays;
   return true;
 }
 
-[[gnu::always_inline]] inline Radiance WhittedIntegrator::follow_here(const RayState& state) {
+[[gnu::always_inline]] inline Radiance Integrator::follow_here(const RayState& state) {
   if (m_stepper.is_cut(state) || is_too_deep()) return {};
   RayRecord& record = enter_ray();
   m_stepper.step(state, record);
   return leave_ray(state, record);
 }
 
-Radiance WhittedIntegrator::follow(const RayState& state) { return follow_here(state); }
+Radiance Integrator::follow(const RayState& state) { return follow_here(state); }
 
-Radiance WhittedIntegrator::trace(const Ray& ray, Pixel pixel, std::uint64_t key) {
+Radiance Integrator::trace(const Ray& ray, Pixel pixel, std::uint64_t key) {
   m_context.interiors.forget_if_large();
   if (m_context.indirect) m_context.indirect->begin(pixel, is_first_sample(pixel, key), key);
   return follow_here(m_stepper.begin(ray, pixel, key));
 }
 
-GatheredRay WhittedIntegrator::gather(const GatherRay& from) {
+GatheredRay Integrator::gather(const GatherRay& from) {
   GatheredRay seen;
   if (is_too_deep()) return seen;
   RayState state{from.ray, from.key};
@@ -107,17 +85,6 @@ GatheredRay WhittedIntegrator::gather(const GatherRay& from) {
   seen.light = leave_ray(state, record).rgb;
   m_stepper.set_most_levels(most);
   return seen;
-}
-
-}  // namespace
-
-std::unique_ptr<Integrator> Integrator::make(ThreadContext& context, ShadowTester& shadows) {
-  return make(context, shadows, PathRules{context.scene.settings().adc_bailout});
-}
-
-std::unique_ptr<Integrator> Integrator::make(ThreadContext& context, ShadowTester& shadows,
-                                             const PathRules& rules) {
-  return std::make_unique<WhittedIntegrator>(context, shadows, rules);
 }
 
 }  // namespace lentray::core

@@ -27,7 +27,8 @@
 
 namespace lentray::core {
 
-/// A light with what is asked first of it, side by side.
+/// A light, and those of its properties that every shading point needs, copied next to each other so that they
+/// share cache lines.
 struct LightSource {
   LightSource(const Light& l, std::uint32_t i, const LightBuffer* b, bool areas)
       : position(l.position), colour(l.colour), straight(is_straight(l)), even(is_even(l)),

@@ -15,14 +15,13 @@
 
 namespace lentray::core {
 
-/// The random numbers by which photons are strewn along their way through media: one a place, from
-/// a cycle that goes on from photon to photon and from unit to unit. Media that only dim take some,
-/// too, one a sample.
+/// The random numbers that place photons along a path through media. Every place takes one. They come from one
+/// cycle for all photons and units. A medium that only attenuates takes one for each of its samples.
 struct MediaDraws {
   const PhotonCycle& cycle;
   std::uint64_t next = 0;
-  /// Nothing is strewn or dimmed, for only how many numbers are taken is wanted: that depends on
-  /// the ways alone.
+  /// Only counts the numbers that a path takes, which depends on its geometry alone: no photon is stored, and
+  /// none is attenuated.
   bool only_counted = false;
 };
 

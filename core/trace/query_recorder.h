@@ -5,7 +5,7 @@
 
 #include <vector>
 
-#include "core/trace/follow.h"
+#include "core/trace/gather_ray.h"
 #include "core/trace/indirect_light.h"
 #include "core/trace/sample_lookup.h"
 

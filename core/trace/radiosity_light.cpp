@@ -7,7 +7,6 @@
 #include <stdexcept>
 #include <utility>
 
-#include "core/trace/integrator.h"
 #include "core/trace/path_rules.h"
 #include "core/trace/random_key.h"
 #include "core/trace/thread_context.h"
@@ -45,14 +44,14 @@ Rgb toned(const Rgb& light, const RadiositySettings& settings) {
 
 }  // namespace
 
-std::unique_ptr<Follow> make_gatherer(ThreadContext& context, ShadowTester& shadows) {
+Integrator make_gatherer(ThreadContext& context, ShadowTester& shadows) {
   const RadiositySettings& settings = *context.scene.settings().radiosity;
   PathRules rules{settings.adc_bailout};
   rules.highlights = false;
   rules.area_lights = false;
   rules.subsurface = settings.subsurface;
   rules.volumes = settings.media;
-  return Integrator::make(context, shadows, rules);
+  return Integrator(context, shadows, rules);
 }
 
 RadiosityLight::RadiosityLight(ThreadContext& context, ShadowTester& shadows,
@@ -238,7 +237,7 @@ void RadiosityLight::shoot() {
         record.seen.light += noted.share * at(noted).light;
       }
     } else {
-      record.seen = m_rays->gather(depth.rays[i]);
+      record.seen = m_rays.gather(depth.rays[i]);
       if (!m_has_gathered) m_importance = record.seen.importance;
     }
     depth.qualities[i] = m_quality;

@@ -15,10 +15,10 @@
 #include <vector>
 
 #include "core/irradiance/irradiance_cache.h"
-#include "core/trace/follow.h"
 #include "core/trace/gather_record.h"
 #include "core/trace/gather_sum.h"
 #include "core/trace/indirect_light.h"
+#include "core/trace/integrator.h"
 #include "core/trace/query_recorder.h"
 #include "core/trace/shadow_tester.h"
 
@@ -41,7 +41,7 @@ class GatherTeam {
 };
 
 /// Traces the rays of gathers, under radiosity's own rules.
-std::unique_ptr<Follow> make_gatherer(ThreadContext& context, ShadowTester& shadows);
+Integrator make_gatherer(ThreadContext& context, ShadowTester& shadows);
 
 class RadiosityLight final : public IndirectLight {
  public:
@@ -92,8 +92,8 @@ class RadiosityLight final : public IndirectLight {
   IrradianceCache* const m_growing;  ///< null: what is gathered is not kept
   const RadiositySettings& m_settings;
   const bool m_is_last;
-  std::unique_ptr<Follow> m_rays;  ///< that gather
-  GatherTeam* const m_team;        ///< null: this thread traces all
+  Integrator m_rays;         ///< that gather
+  GatherTeam* const m_team;  ///< null: this thread traces all
   struct Depth {
     DepthRules rules;
     DirectionCycle cycle;

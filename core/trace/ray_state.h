@@ -22,8 +22,10 @@ struct RayState {
   InteriorsId inside = InteriorsId::kOpen;  ///< of the thread's table
   std::uint32_t tree_place = 1;             ///< for caches: see ShadowQuery
   RayKind kind = RayKind::kCamera;
-  bool straight_on = false;    ///< went through a surface unbent: what it meets takes no level more
-  std::uint8_t scattered = 0;  ///< surfaces above it whose subsurface light it is part of
+  bool straight_on =
+      false;  ///< passed the last surface unrefracted: the next surface adds no trace level
+  std::uint8_t scattered =
+      0;  ///< translucent surfaces, from the camera to the ray, whose subsurface light the ray gathers
 };
 
 /// A place on a surface that is shaded. Members without initialisers: all are given.

@@ -12,8 +12,8 @@ namespace {
 
 double square(double x) { return x * x; }
 
-// How much a metal keeps the light's own colour, 0 face on .. 1 grazing: POV-Ray's rational fit
-// of a Fresnel curve over the angle as a part of the right angle.
+// How much a metal keeps the light's own colour, 0 face on .. 1 grazing: a rational fit of a Fresnel curve over
+// the angle as a part of the right angle. Source: that of POV-Ray 3.7.
 double grazing(double cosine) {
   const double angle = std::fabs(std::acos(cosine)) / (std::numbers::pi / 2.0);
   const double fit = 0.014567225 / square(angle - 1.12) - 0.011612903;

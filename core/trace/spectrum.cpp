@@ -13,7 +13,7 @@ double smooth_step(double from, double to, double x) {
   return (3.0 - 2.0 * s) * s * s;
 }
 
-/// How much of each channel lies below a wavelength: within 0.0006 of stock's table.
+/// How much of each channel lies below a wavelength. Source: that of POV-Ray 3.7, met to 0.0006.
 Rgb below(double wavelength) {
   constexpr double kRedInViolet = 0.0404;
   const double red = kRedInViolet * smooth_step(374.0, 442.0, wavelength) +

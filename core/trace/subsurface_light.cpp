@@ -33,8 +33,8 @@ double transmittance(double cosine, double ior) {
   return 1.0 - fresnel(cosine, ior);
 }
 
-/// Samples that are evenly spread leave less noise than stock's, which lie anywhere: so many are as good as
-/// `samples` of those. Few are all taken.
+/// How many evenly spread samples leave as much noise as `samples` random ones, of which the scene's numbers
+/// speak. Up to four are all taken.
 int even_ones(int samples, double share) {
   return std::max(std::min(samples, 4), static_cast<int>(std::ceil(samples * share)));
 }

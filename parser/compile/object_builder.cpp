@@ -110,7 +110,9 @@ void ObjectBuilder::add_to_list(const ObjectDesc& object, const core::Transform&
 std::unique_ptr<core::Object> ObjectBuilder::geometry(const ObjectDesc& object,
                                                       const core::Transform& to_world) {
   ObjectBuilder plain(m_not_yet);
-  return plain.build(object, to_world, {});
+  auto made = plain.build(object, to_world, {});
+  if (made) made->complete();
+  return made;
 }
 
 Ref<TextureDesc> ObjectBuilder::moved(const Ref<TextureDesc>& texture,

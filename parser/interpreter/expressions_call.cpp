@@ -13,7 +13,6 @@ class SplineFunction final : public core::Function {
   explicit SplineFunction(Ref<SplineDesc> spline) : m_spline(std::move(spline)) {}
   std::size_t parameters() const override { return 1; }
   double evaluate(std::span<const double> a) const override { return m_spline->evaluate(a[0])[0]; }
-  std::string not_yet() const override { return {}; }
   std::size_t results() const override { return static_cast<std::size_t>(m_spline->size); }
   void evaluate_all(std::span<const double> a, std::span<double> result) const override {
     const auto values = m_spline->evaluate(a[0]);
@@ -31,7 +30,6 @@ class TransformFunction final : public core::Function {
   double evaluate(std::span<const double> a) const override {
     return m_transform.point({a[0], a[1], a[2]}).x;
   }
-  std::string not_yet() const override { return {}; }
   std::size_t results() const override { return 3; }
   void evaluate_all(std::span<const double> a, std::span<double> result) const override {
     const core::Vec3 p = m_transform.point({a[0], a[1], a[2]});

@@ -78,11 +78,11 @@ void trace(const core::Scene& scene) {
   core::ThreadContext context(scene, false);
   const auto testers = shadow::make_tester_factory("off");
   const auto tester = testers->make(context);
-  const auto integrator = core::Integrator::make(context, *tester);
+  core::Integrator integrator(context, *tester);
   constexpr int kSide = 8;
   for (int k = 0; k < kSide * kSide; ++k) {
     const Vec3 along{(k % kSide + 0.5) / kSide - 0.5, (k / kSide + 0.5) / kSide - 0.5, 1.0};
-    integrator->trace({{0, 0, -2}, normalized(along)}, {});
+    integrator.trace({{0, 0, -2}, normalized(along)}, {});
   }
 }
 

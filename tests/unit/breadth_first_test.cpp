@@ -155,10 +155,10 @@ std::vector<CameraRay> camera_rays(std::uint32_t sample) {
 std::vector<Radiance> depth_first(const Scene& scene, std::uint32_t sample) {
   ThreadContext context(scene, false);
   PlainShadowTester shadows(context);
-  const auto integrator = Integrator::make(context, shadows);
+  Integrator integrator(context, shadows);
   std::vector<Radiance> seen;
   for (const CameraRay& ray : camera_rays(sample)) {
-    seen.push_back(integrator->trace(ray.ray, ray.pixel, ray.key));
+    seen.push_back(integrator.trace(ray.ray, ray.pixel, ray.key));
   }
   return seen;
 }

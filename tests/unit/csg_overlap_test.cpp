@@ -44,7 +44,9 @@ std::unique_ptr<Csg> overlap_column(CsgKind kind, bool inverse_parts) {
   add(std::make_unique<Sphere>(Vec3{-0.1, 0.4, 0.3}, 1.1), Transform());
   add(std::make_unique<Box>(Vec3{-0.8, -0.8, -0.8}, Vec3{0.9, 0.9, 0.9}),
       Transform::rotation({20, 10, 40}));
-  return std::make_unique<Csg>(kind, std::move(parts));
+  auto column = std::make_unique<Csg>(kind, std::move(parts));
+  column->complete();
+  return column;
 }
 
 template <class Asked>

@@ -1,12 +1,11 @@
 // The light along rays that gather, as passes and shading ask for it.
-#include "core/trace/follow.h"
+#include "core/trace/integrator.h"
 
 #include <cmath>
 #include <memory>
 #include <numbers>
 #include <set>
 
-#include "core/trace/integrator.h"
 #include "core/trace/plain_shadow_tester.h"
 #include "core/trace/thread_context.h"
 #include "tests/unit/scene_text.h"
@@ -20,16 +19,15 @@ using core::Vec3;
 struct Traced {
   explicit Traced(const std::string& sdl)
       : text(sdl), scene(text.build(), {}), context(scene, false), tester(context),
-        tracer(core::Integrator::make(context, tester)) {}
+        tracer(context, tester) {}
   core::Rgb along(const Vec3& from, const Vec3& direction, float weight = 1.0f, int level = 0) {
-    core::Follow& follow = *tracer;
-    return follow.gather({{from, core::normalized(direction)}, weight, level}).light;
+    return tracer.gather({{from, core::normalized(direction)}, weight, level}).light;
   }
   SceneText text;
   core::Scene scene;
   core::ThreadContext context;
   core::PlainShadowTester tester;
-  std::unique_ptr<core::Integrator> tracer;
+  core::Integrator tracer;
 };
 
 /// Light that a level point gets from all sides, over pi: directions as dense as their cosine.
@@ -73,11 +71,10 @@ TEST(UnitFollow, WhatGoesOnEndsWhereThatOfCameraRaysDoes) {
 
 TEST(UnitFollow, TellsHowFarTheRayCame) {
   Traced scene("sphere { <0, 5, 0>, 1 pigment { rgb 1 } finish { ambient 0.5 } }");
-  core::Follow& follow = *scene.tracer;
-  const core::GatheredRay met = follow.gather({{{0, 0, 0}, {0, 1, 0}}, 1.0f, 0});
+  const core::GatheredRay met = scene.tracer.gather({{{0, 0, 0}, {0, 1, 0}}, 1.0f, 0});
   EXPECT_DOUBLE_EQ(met.distance, 4.0);
   EXPECT_FLOAT_EQ(met.importance, 1.0f);
-  const core::GatheredRay sky = follow.gather({{{0, 0, 0}, {0, -1, 0}}, 1.0f, 0});
+  const core::GatheredRay sky = scene.tracer.gather({{{0, 0, 0}, {0, -1, 0}}, 1.0f, 0});
   EXPECT_EQ(sky.distance, core::Bounds::kInf);
   EXPECT_FLOAT_EQ(sky.importance, 1.0f) << "without radiosity, too";
 }
@@ -93,7 +90,7 @@ TEST(UnitFollow, IsWhatTheCameraSees) {
   for (int i = 0; i < 400; ++i) {
     const Vec3 from{0, 1.5, -5};
     const Vec3 to = core::normalized({0.1 * (i % 20) - 1.0, 0.05 * (i / 20) - 0.7, 1.0});
-    const core::Rgb camera = scene.tracer->trace({from, to}, {}).rgb;
+    const core::Rgb camera = scene.tracer.trace({from, to}, {}).rgb;
     const core::Rgb asked = scene.along(from, to);
     EXPECT_EQ(asked, camera) << i;
     seen.insert(asked.g);

@@ -77,6 +77,7 @@ std::unique_ptr<Object> random_tree(Random& random, int depth) {
   for (int i = 0; i < n; ++i) children.push_back(random_tree(random, depth - 1));
   auto object = std::make_unique<Csg>(kinds[random.whole(0, 2)], std::move(children));
   if (random.whole(0, 4) == 0) object->set_inverse(true);
+  object->complete();
   return object;
 }
 
@@ -188,7 +189,8 @@ TEST(UnitCoreCsg, ManyChildrenMatchFew) {
                        : geometry_csg_csg(join ? CsgKind::kMerge : CsgKind::kDifference,
                                           std::move(nested), std::move(sphere));
     }
-    const Csg wide(join ? CsgKind::kMerge : CsgKind::kDifference, std::move(flat));
+    Csg wide(join ? CsgKind::kMerge : CsgKind::kDifference, std::move(flat));
+    wide.complete();
     for (int k = 0; k < 2000; ++k) {
       const Ray ray = random.ray(3.0, 1.0);
       ASSERT_EQ(depths(wide, ray), depths(*nested, ray));
@@ -211,7 +213,8 @@ TEST(UnitCoreCsg, TiesGoToTheLastChild) {
       children.push_back(leaf<Box>(Vec3{far - 1, -1, -1}, Vec3{far + 1, 1, 1}));
     }
     const Object* last = children[1].get();
-    const Csg object(CsgKind::kUnion, std::move(children));
+    Csg object(CsgKind::kUnion, std::move(children));
+    object.complete();
     HitArena arena;
     Hit hit;
     ASSERT_TRUE(object.nearest({{0, 0, -5}, {0, 0, 1}}, 0, kGeometryCsgInf, hit,

@@ -87,7 +87,6 @@ struct SampledBall final : Function {
   explicit SampledBall(int axis_) : axis(axis_) {}
   int axis;
   std::size_t parameters() const override { return 2; }
-  std::string not_yet() const override { return {}; }
   double evaluate(std::span<const double> a) const override {
     if (axis == 1) return std::cos(a[0]);
     return std::sin(a[0]) * (axis == 0 ? std::cos(a[1]) : std::sin(a[1]));
@@ -177,7 +176,6 @@ TEST(UnitCoreParametric, ScaledDownItDoesNotVanish) {
 
 struct Distance final : Function {
   std::size_t parameters() const override { return 3; }
-  std::string not_yet() const override { return {}; }
   double evaluate(std::span<const double> a) const override {
     return std::sqrt(a[0] * a[0] + a[1] * a[1] + a[2] * a[2]) - 1.0;
   }

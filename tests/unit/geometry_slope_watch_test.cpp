@@ -66,7 +66,6 @@ TEST(UnitCoreSlopeWatch, KeepsTheSteepestOfAllThreads) {
 
 struct Bowl final : Function {
   std::size_t parameters() const override { return 3; }
-  std::string not_yet() const override { return {}; }
   double evaluate(std::span<const double> a) const override {
     return a[2] + 0.3 * a[0] * a[0] + std::sin(3.0 * a[1]);
   }

@@ -100,15 +100,15 @@ struct Builder {
 struct Kit {
   explicit Kit(const Scene& s, const std::string& cache = "off")
       : scene(s), context(s, false), tester(shadow::make_tester_factory(cache)->make(context)),
-        tracer(Integrator::make(context, *tester)) {}
+        tracer(context, *tester) {}
   Radiance look(const Vec3& from, const Vec3& along, Pixel pixel = {}) {
-    return tracer->trace({from, normalized(along)}, pixel);
+    return tracer.trace({from, normalized(along)}, pixel);
   }
   const Scene& scene;
   ThreadContext context;
   Counters& counters = context.counters;
   std::unique_ptr<ShadowTester> tester;
-  std::unique_ptr<Integrator> tracer;
+  Integrator tracer;
 };
 
 Colour rgb(float r, float g, float b) { return {{r, g, b}, 0.0f, 0.0f}; }
@@ -318,7 +318,7 @@ TEST(UnitCoreIntegrator, GeneralAndSpecialisedScenesGiveTheSameBits) {
       furnish(b, what & 1, what & 2, what & 4, what & 8);
       const auto scene = b.compile(general);
       Kit kit(*scene);
-      seen[general] = integrator_picture(*kit.tracer);
+      seen[general] = integrator_picture(kit.tracer);
     }
     EXPECT_TRUE(integrator_same(seen[0], seen[1])) << what;
   }
@@ -331,12 +331,12 @@ TEST(UnitShadowCache, NeverChangesThePictureAndCountsAddUp) {
     furnish(b, transparency, true, true, true);
     const auto scene = b.compile();
     Kit plain(*scene);
-    const std::vector<Radiance> reference = integrator_picture(*plain.tracer);
+    const std::vector<Radiance> reference = integrator_picture(plain.tracer);
     for (const auto cache : shadow::tester_names()) {
       for (const auto order : shadow::order_names()) {
         if (order != "rows" && cache != "neighbourhood") continue;
         Kit kit(*scene, std::string(cache));
-        EXPECT_TRUE(integrator_same(integrator_picture(*kit.tracer, std::string(order)), reference))
+        EXPECT_TRUE(integrator_same(integrator_picture(kit.tracer, std::string(order)), reference))
             << cache << " " << order;
         for (std::size_t i = 0; i < 2; ++i) {
           const ShadowCounts& mine = kit.counters.lights[i];
@@ -372,7 +372,7 @@ TEST(UnitShadowCache, BlockerThatIsTooNearInPlaces) {
       b.light({0, 30, 0});
       const auto scene = b.compile();
       Kit kit(*scene, cache);
-      seen.push_back(integrator_picture(*kit.tracer, order));
+      seen.push_back(integrator_picture(kit.tracer, order));
       EXPECT_TRUE(integrator_same(seen.back(), seen.front())) << cache << " " << order;
       const ShadowCounts& counts = kit.counters.lights[0];
       EXPECT_GT(counts.blocked, 50u) << "where the wedge is far enough";

@@ -5,7 +5,7 @@
 #include <filesystem>
 
 #include "core/irradiance/cache_bytes.h"
-#include "core/irradiance/stock_samples.h"
+#include "core/irradiance/rca_samples.h"
 #include "parser/options/options.h"
 #include "tools/common/process.h"
 #include "tools/session/radiosity_store.h"
@@ -73,23 +73,23 @@ TEST(UnitRadiosityBytes, WhatIsCutOffIsNone) {
 }
 
 TEST(UnitRadiosityLines, AreStocks) {
-  const std::string text = core::stock_samples_text(kept_cache(), {2, 0});
+  const std::string text = core::rca_samples_text(kept_cache(), {2, 0});
   EXPECT_EQ(text,
             "C1\t0.3\t0.333333\t-2.5e-07\t7ffe7f\t0.2500\t0.5000\t0.3333\t0.125\t2e+10\tcb7f19\n"
             "C2\t7\t0.333333\t-2.5e-07\t7ffe7f\t0.2500\t0.5000\t0.3333\t0.125\t2e+10\tcb7f19\n");
-  const core::StockSamples read = core::read_stock_samples(text + "\n");
+  const core::RcaSamples read = core::read_rca_samples(text + "\n");
   EXPECT_EQ(read.passed_over, 0u);
   ASSERT_EQ(read.samples.size(), 2u);
   EXPECT_EQ(read.samples[1].depth, 1);
   EXPECT_EQ(read.samples[0].sample.normal.y, 1.0);
   EXPECT_NEAR(read.samples[0].sample.to_nearest.z, -0.8, 0.01);
   EXPECT_EQ(read.samples[0].sample.quality, 1.0f);
-  EXPECT_EQ(core::read_stock_samples(text).samples.size(), 1u) << "stock loses the last line";
+  EXPECT_EQ(core::read_rca_samples(text).samples.size(), 1u) << "stock loses the last line";
 }
 
 TEST(UnitRadiosityLines, OthersArePassedOver) {
   const char* const good = "C1\t0\t0\t0\t7ffe7f\t0.1\t0.1\t0.1\t1\t2\t7f7f7f";
-  const core::StockSamples read = core::read_stock_samples(
+  const core::RcaSamples read = core::read_rca_samples(
       std::string(good) +
       "\n\nP\nC1 0 0 0 7ffe7f .1 .1 .1 1 2\nC0 0 0 0 7ffe7f .1 .1 .1 1 2 7f7f7f\n" +
       "C1 0 0 0 7f7f7f .1 .1 .1 1 2 7f7f7f\nC1 0 0 0 7ffe7f .1 .1 .1 0 2 7f7f7f\n" +

@@ -186,7 +186,7 @@ TEST(UnitRadiosityLight, NotedQuestionsAddUpToTheSameLight) {
   const Scene scene(std::move(stage.parts), {});
   ThreadContext context(scene, false);
   PlainShadowTester shadows(context);
-  const auto rays = make_gatherer(context, shadows);
+  Integrator rays = make_gatherer(context, shadows);
   QueryRecorder recorder;
   EverywhereAlike light;
   int whole = 0, others = 0;
@@ -196,14 +196,14 @@ TEST(UnitRadiosityLight, NotedQuestionsAddUpToTheSameLight) {
     GatherRecord record;
     recorder.record_to(record, true);
     context.indirect = &recorder;
-    record.seen = rays->gather(ray);
+    record.seen = rays.gather(ray);
     for (const RecordedQuery& asked : record.queries) {
       record.seen.light += asked.share * light.at(asked.query).light;
     }
     ++(record.is_whole ? whole : others);
     if (!record.is_whole) continue;
     context.indirect = &light;
-    const Rgb direct = rays->gather(ray).light;
+    const Rgb direct = rays.gather(ray).light;
     EXPECT_NEAR(record.seen.light.r, direct.r, 1e-6);
     EXPECT_NEAR(record.seen.light.g, direct.g, 1e-6);
     EXPECT_NEAR(record.seen.light.b, direct.b, 1e-6);

@@ -39,7 +39,9 @@ class SceneText {
 
   core::SceneParts build() {
     SceneDesc used_up = scene;
-    return build_scene(used_up, m_diagnostics);
+    core::SceneParts parts = build_scene(used_up, m_diagnostics);
+    for (const auto& object : parts.objects) object->complete();
+    return parts;
   }
   const ObjectDesc& object(std::size_t i = 0) const { return *scene.objects.at(i).object; }
   template <typename Shape>

@@ -24,12 +24,12 @@ std::vector<core::Radiance> shape_identical_picture(const std::string& sdl, cons
   if (way.light_buffer_rays > 0) scene.build_light_buffers(way.light_buffer_rays);
   core::ThreadContext context(scene, false);
   const auto tester = shadow::make_tester_factory("off")->make(context);
-  const auto integrator = core::Integrator::make(context, *tester);
+  core::Integrator integrator(context, *tester);
   std::vector<core::Radiance> seen;
   for (int y = 0; y < height; ++y) {
     for (int x = 0; x < width; ++x) {
       const Vec3 along{(x + 0.5) / width - 0.5, -0.55 - ((y + 0.5) / height - 0.5) * 0.7, 1.0};
-      seen.push_back(integrator->trace({{0.3, 7.0, -11.0}, core::normalized(along)}, {}));
+      seen.push_back(integrator.trace({{0.3, 7.0, -11.0}, core::normalized(along)}, {}));
     }
   }
   return seen;

@@ -77,7 +77,7 @@ void RadiosityStore::refuse(const std::string& why) {
 }
 
 void RadiosityStore::read_samples(const std::string& text) {
-  core::StockSamples read = core::read_stock_samples(text);
+  core::RcaSamples read = core::read_rca_samples(text);
   m_samples = std::move(read.samples);
   if (read.passed_over > 0) {
     m_warnings.push_back(m_path + ":" + std::to_string(read.first_passed_over) +
@@ -109,7 +109,7 @@ void RadiosityStore::keep(const core::IrradianceCache& cache, const core::Radios
   }
   m_lines = m_bytes;
   if (!m_lines->empty() && !m_lines->ends_with('\n')) *m_lines += '\n';
-  *m_lines += core::stock_samples_text(cache, known) + "\n";
+  *m_lines += core::rca_samples_text(cache, known) + "\n";
 }
 
 void RadiosityStore::finish() {

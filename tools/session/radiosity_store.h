@@ -18,7 +18,7 @@
 #include <string_view>
 #include <vector>
 
-#include "core/irradiance/stock_samples.h"
+#include "core/irradiance/rca_samples.h"
 #include "parser/options/options.h"
 #include "tools/session/identity.h"
 #include "tools/session/radiosity_file.h"

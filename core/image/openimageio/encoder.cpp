@@ -96,7 +96,8 @@ class Encoder final : public PictureEncoder {
   }
 
   ~Encoder() override {
-    // Given up half way. The encoder is not asked to close: it would complain on standard error.
+    // Given up half way. Closing or destroying the encoder would complain on standard error, so the process keeps
+    // it to its end.
     static auto& given_up = *new std::vector<std::unique_ptr<OIIO::ImageOutput>>;
     static std::mutex mutex;
     if (!m_output) return;

@@ -1,4 +1,4 @@
-#include "core/irradiance/stock_samples.h"
+#include "core/irradiance/rca_samples.h"
 
 #include <algorithm>
 #include <array>
@@ -83,8 +83,8 @@ void append_sample(int depth, const IrradianceSample& s, std::string& out) {
 
 }  // namespace
 
-StockSamples read_stock_samples(std::string_view text) {
-  StockSamples out;
+RcaSamples read_rca_samples(std::string_view text) {
+  RcaSamples out;
   for (std::size_t number = 1; !text.empty(); ++number) {
     const std::string_view line = text.substr(0, text.find('\n'));
     text.remove_prefix(std::min(line.size() + 1, text.size()));
@@ -99,8 +99,7 @@ StockSamples read_stock_samples(std::string_view text) {
   return out;
 }
 
-std::string stock_samples_text(const IrradianceCache& cache,
-                               const std::vector<std::size_t>& known) {
+std::string rca_samples_text(const IrradianceCache& cache, const std::vector<std::size_t>& known) {
   std::string out;
   for (int depth = 0; depth < cache.depths(); ++depth) {
     const auto& samples = cache.store(depth).samples();
