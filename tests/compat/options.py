@@ -392,10 +392,10 @@ povray-jupyter, Emacs's pov-mode, povrayer, Spack. Each shows the same with stoc
 | `Parser Time`, `Render Options`, `Render Statistics`, `Render Time` | times with their threads and CPU seconds, `Quality`, `Antialiasing`, `Image Resolution`, `Pixels`, `Samples`, `Rays` (all but shadow rays), `Reflected Rays`, `Refracted Rays`. `Shadow Rays`, `Shadowed Rays` and `Peak Memory` are lentray's own. No objects, tests of shapes or maximum level |
 | the first lines | `POV-Ray 3.7.0 compatible: Lentray`, and that it is not POV-Ray; no authors or libraries |
 
-Statuses are stock's: 0, 1 for what failed, 2 for what was stopped. `-V` leaves out the first row
-alone. The five texts go to the console and to files as stock's do: the first three rows and the
-ends of a run belong to none of the five, come with `-GA` too, and go to no file. But an error is
-reported whatever `-GF` and `-GA` say."""
+Exit statuses are stock's: 0, 1 for what failed, 2 for what was stopped. `-V` suppresses the lines of the
+first row alone. The five texts of POV-Ray (debug, fatal, render, statistics, warnings) go to the console and
+to files as in stock. The lines of the first three rows and those at the end of a run belong to none of the
+five: `-GA` does not suppress them, and no file gets them. An error is reported whatever `-GF` and `-GA` say."""
 
 KNOWN = {
     "ends.ini": "status 1, as the manual says; stock has 0",
