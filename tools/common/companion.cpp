@@ -1,8 +1,9 @@
 #include "tools/common/companion.h"
 
-#include <cstdio>
+#include <cinttypes>
 
 #include "parser/files/watched_files.h"
+#include "tools/common/formed.h"
 
 namespace lentray::tool {
 
@@ -10,10 +11,8 @@ std::string companion_path(const std::string& path, const std::string& end) {
   constexpr std::size_t kLongest = 255, kKept = 180;  // bytes
   const std::size_t name = path.rfind('/') + 1;
   if (path.size() - name + end.size() <= kLongest) return path + end;
-  char sum[24];
-  std::snprintf(sum, sizeof sum, "~%016llx",
-                static_cast<unsigned long long>(parser::checksum(path.substr(name))));
-  return path.substr(0, name + kKept) + sum + end;
+  return path.substr(0, name + kKept) +
+         formed("~%016" PRIx64, parser::checksum(path.substr(name))) + end;
 }
 
 std::string journal_path(const std::string& picture) {

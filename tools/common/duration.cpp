@@ -2,26 +2,22 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <cstdlib>
 #include <utility>
+
+#include "tools/common/formed.h"
 
 namespace lentray::tool {
 
 std::string duration_text(double seconds) {
-  char text[64];
-  if (seconds < 9.95) {
-    std::snprintf(text, sizeof text, "%.1f s", std::max(0.0, seconds));
-  } else if (seconds < 99.5) {
-    std::snprintf(text, sizeof text, "%.0f s", seconds);
-  } else if (seconds < 3570.0) {
+  if (seconds < 9.95) return formed("%.1f s", std::max(0.0, seconds));
+  if (seconds < 99.5) return formed("%.0f s", seconds);
+  if (seconds < 3570.0) {
     const long long tens = std::llround(seconds / 10.0);
-    std::snprintf(text, sizeof text, "%lld min %lld s", tens / 6, tens % 6 * 10);
-  } else {
-    const long long minutes = std::llround(seconds / 60.0);
-    std::snprintf(text, sizeof text, "%lld h %lld min", minutes / 60, minutes % 60);
+    return formed("%lld min %lld s", tens / 6, tens % 6 * 10);
   }
-  return text;
+  const long long minutes = std::llround(seconds / 60.0);
+  return formed("%lld h %lld min", minutes / 60, minutes % 60);
 }
 
 std::optional<double> duration_of(std::string_view text) {

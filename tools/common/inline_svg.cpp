@@ -1,9 +1,9 @@
 #include "tools/common/inline_svg.h"
 
-#include <cstdio>
 #include <cstdlib>
 #include <string_view>
 
+#include "tools/common/formed.h"
 #include "tools/common/page_text.h"
 
 namespace lentray::tool {
@@ -28,10 +28,8 @@ void remove_all(std::string& text, std::string_view begin, std::string_view end)
 /// gnuplot pads the numbers of strokes, and not those of fills.
 void recolour(std::string& text, const ChartColour& colour) {
   const unsigned r = colour.rgb >> 16 & 255u, g = colour.rgb >> 8 & 255u, b = colour.rgb & 255u;
-  char form[40];
   for (const char* pattern : {"rgb(%3u, %3u, %3u)", "rgb(%u,%u,%u)", "rgb(%u, %u, %u)"}) {
-    std::snprintf(form, sizeof form, pattern, r, g, b);
-    replace_all(text, form, colour.css);
+    replace_all(text, formed(pattern, r, g, b), colour.css);
   }
 }
 

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cerrno>
-#include <cstdio>
 #include <cstdlib>
 #include <cstring>
 #include <ctime>
@@ -65,9 +64,7 @@ std::string key_of(const Plan& plan, const parser::RenderOptions& o,
     for (const double value :
          {c.clock, c.initial_clock, c.final_clock, c.clock_delta, double(c.frame_number),
           double(c.initial_frame), double(c.final_frame)}) {
-      char digits[32];
-      std::snprintf(digits, sizeof digits, " %.17g", value);
-      text += digits;
+      text += tool::formed(" %.17g", value);
     }
   }
   return hexadecimal(parser::checksum(text));
@@ -350,11 +347,9 @@ tool::Launch Job::render(const Job& last, bool goes_on, int threads, double memo
   launch.log = run_file("log");
   fs::create_directories(made_picture().parent_path());
   launch.command = command(last, threads);
-  char bytes[32];
-  std::snprintf(bytes, sizeof bytes, "%.0f", memory);
   launch.command.insert(
       launch.command.end(),
-      {"-V", "-D", "-P", "Count_Tests=Off", "Max_Memory=" + std::string(bytes),
+      {"-V", "-D", "-P", "Count_Tests=Off", tool::formed("Max_Memory=%.0f", memory),
        "Statistics_File=" + given_file("statistics").string(),
        "Dependencies_File=" + given_file("read").string(), "Scene_Writes=memory"});
   if (goes_on) launch.command.emplace_back("+C");

@@ -8,6 +8,7 @@
 
 #include "core/image/orientation.h"
 #include "core/image/thumbnail.h"
+#include "tools/common/formed.h"
 
 namespace lentray::batch {
 
@@ -28,9 +29,8 @@ std::vector<std::string> view_names(const std::string& picture, double lens_pixe
   const fs::path folder = fs::path(picture).replace_extension().string() + "-views";
   std::vector<std::string> names;
   for (std::uint32_t j = 0; j < view_count(lens_pixels); ++j) {
-    char name[32];
-    std::snprintf(name, sizeof name, "view%0*u.png", view_count(lens_pixels) > 100 ? 3 : 2, j);
-    names.push_back((folder / name).string());
+    const int digits = view_count(lens_pixels) > 100 ? 3 : 2;
+    names.push_back((folder / tool::formed("view%0*u.png", digits, j)).string());
   }
   return names;
 }

@@ -1,8 +1,7 @@
 #include "tools/lentray-diff/antialiasing.h"
 
-#include <cstdio>
-
 #include "parser/options/options.h"
+#include "tools/common/formed.h"
 
 namespace lentray::diff {
 
@@ -21,9 +20,7 @@ Antialiasing antialiasing_of(const parser::RenderOptions& options) {
 std::vector<std::string> words(const Antialiasing& a) {
   if (!a.on) return {"-A", "-J"};
   const auto option = [](const char* name, double value) {
-    char text[80];
-    std::snprintf(text, sizeof text, "%s=%.17g", name, value);
-    return std::string(text);
+    return tool::formed("%s=%.17g", name, value);
   };
   std::vector<std::string> out{"Antialias=On", "Sampling_Method=" + std::to_string(a.method),
                                option("Antialias_Threshold", a.threshold),

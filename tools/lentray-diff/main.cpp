@@ -14,6 +14,7 @@
 #include "core/image/writer.h"
 #include "core/numeric/lens_columns.h"
 #include "parser/options/options.h"
+#include "tools/common/formed.h"
 #include "tools/common/json_text.h"
 #include "tools/common/machine.h"
 #include "tools/common/process.h"
@@ -105,14 +106,12 @@ std::string reference(Way way, const StockOptions& stock) {
 }
 
 std::string describe(const Sheet& s, Way way, const StockOptions& stock) {
-  char text[240];
-  char distance[40] = "V infinite";
-  if (s.is_finite()) std::snprintf(distance, sizeof distance, "V = %.6g mm", s.view_distance);
-  std::snprintf(text, sizeof text,
-                "integral image %u x %u: %.6g lenses of %.6g pixels, %s, %s; stock by ", s.columns,
-                s.rows, core::LensColumns{s.pixels}.counted(s.columns), s.pixels, distance,
-                s.paraxial ? "paraxial" : "pinhole");
-  return text + reference(way, stock);
+  const std::string distance =
+      s.is_finite() ? tool::formed("V = %.6g mm", s.view_distance) : "V infinite";
+  return tool::formed("integral image %u x %u: %.6g lenses of %.6g pixels, %s, %s; stock by ",
+                      s.columns, s.rows, core::LensColumns{s.pixels}.counted(s.columns), s.pixels,
+                      distance.c_str(), s.paraxial ? "paraxial" : "pinhole") +
+         reference(way, stock);
 }
 
 /// `sampled`: stock takes single samples where it cannot antialias.

@@ -3,10 +3,11 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdio>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <numeric>
+
+#include "tools/common/formed.h"
 
 namespace lentray::diff {
 
@@ -44,22 +45,18 @@ void put(StoredImage& image, std::uint32_t x, std::uint32_t y,
 }
 
 std::string decibels(double psnr) {
-  char text[16];
-  std::snprintf(text, sizeof text, "%7.2f", psnr);
-  return std::isinf(psnr) ? "  equal" : text;
+  return std::isinf(psnr) ? "  equal" : tool::formed("%7.2f", psnr);
 }
 
 std::string line(const std::string& name, const Comparison& c) {
-  char text[200];
-  std::snprintf(text, sizeof text, "%-10s %9llu %8.2f %9.4f %8.3f %% %8.3f %%  %s  %s",
-                name.c_str(), static_cast<unsigned long long>(c.pixels), c.largest, c.mean,
-                100.0 * c.share_beyond_1(), 100.0 * c.share_beyond_2(), decibels(c.psnr).c_str(),
-                std::string(core::name_of(c.grade)).c_str());
-  std::string out = text;
+  std::string out =
+      tool::formed("%-10s %9llu %8.2f %9.4f %8.3f %% %8.3f %%  %s  %s", name.c_str(),
+                   static_cast<unsigned long long>(c.pixels), c.largest, c.mean,
+                   100.0 * c.share_beyond_1(), 100.0 * c.share_beyond_2(), decibels(c.psnr).c_str(),
+                   std::string(core::name_of(c.grade)).c_str());
   if (c.noise) {
-    std::snprintf(text, sizeof text, "  blocks %.2f, S %.2f; bias %.2f, S %.2f", c.blocks.rms,
-                  c.noise->rms, c.blocks.bias, c.noise->bias);
-    out += text;
+    out += tool::formed("  blocks %.2f, S %.2f; bias %.2f, S %.2f", c.blocks.rms, c.noise->rms,
+                        c.blocks.bias, c.noise->bias);
   }
   return out + "\n";
 }

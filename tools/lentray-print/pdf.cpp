@@ -4,7 +4,6 @@
 
 #include <array>
 #include <cstdint>
-#include <cstdio>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -13,18 +12,16 @@
 #include "core/image/byte_file.h"
 #include "core/image/file_swap.h"
 #include "core/image/writer.h"
+#include "tools/common/formed.h"
 #include "tools/common/version.h"
+#include "tools/lentray-print/report_text.h"
 
 namespace lentray::print {
 namespace {
 
 /// With six digits behind the point: a fraction of a micrometre in points, and no exponents, which PDF has not.
 std::string number(double value) {
-  char text[64];
-  std::snprintf(text, sizeof text, "%.6f", value);
-  std::string out = text;
-  out.erase(out.find_last_not_of('0') + 1);
-  if (out.back() == '.') out.pop_back();
+  const std::string out = short_number(value, 6);
   return out == "-0" ? "0" : out;
 }
 
@@ -241,9 +238,7 @@ struct PdfFile::Parts {
     const std::uint64_t table = offset;
     write("xref\n0 " + std::to_string(offsets.size() + 1) + "\n0000000000 65535 f \n");
     for (const std::uint64_t at : offsets) {
-      char row[32];
-      std::snprintf(row, sizeof row, "%010llu 00000 n \n", static_cast<unsigned long long>(at));
-      write(row);
+      write(tool::formed("%010llu 00000 n \n", static_cast<unsigned long long>(at)));
     }
     write("trailer\n<</Size " + std::to_string(offsets.size() + 1) + "/Root 1 0 R/Info " +
           std::to_string(information) + " 0 R>>\nstartxref\n" + std::to_string(table) +

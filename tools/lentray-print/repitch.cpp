@@ -2,11 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <limits>
 #include <vector>
 
 #include "core/base/memory_limit.h"
+#include "tools/common/formed.h"
 #include "tools/lentray-print/page.h"
 #include "tools/lentray-print/page_error.h"
 
@@ -126,16 +126,13 @@ std::string render_options(const LensData& data, double print_pitch, double lens
   const LensOfPicture& lens = *data.lens;
   const double pixels = print_pitch * data.dpi_x / kInch;
   const double pitch = print_pitch / (1.0 + lens.widening());
-  char text[320];
-  std::snprintf(text, sizeof text,
-                "+W%lld +H%u Lenticular=On Lens_Pitch=%.15g Lens_Pixels=%.15g "
-                "Lens_Focal_Length=%.15g Lens_IOR=%.15g Lens_Model=%s View_Distance=",
-                std::llround(lenses * pixels), height, pitch, pixels, lens.focal_length, lens.ior,
-                lens.model.c_str());
-  std::string out = text;
+  const std::string out = tool::formed(
+      "+W%lld +H%u Lenticular=On Lens_Pitch=%.15g Lens_Pixels=%.15g "
+      "Lens_Focal_Length=%.15g Lens_IOR=%.15g Lens_Model=%s View_Distance=",
+      std::llround(lenses * pixels), height, pitch, pixels, lens.focal_length, lens.ior,
+      lens.model.c_str());
   if (!(lens.view_distance > 0.0)) return out + "inf";
-  std::snprintf(text, sizeof text, "%.15g", lens.view_distance);
-  return out + text;
+  return out + tool::formed("%.15g", lens.view_distance);
 }
 
 }  // namespace lentray::print

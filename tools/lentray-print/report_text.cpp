@@ -1,13 +1,11 @@
 #include "tools/lentray-print/report_text.h"
 
-#include <cstdio>
+#include "tools/common/formed.h"
 
 namespace lentray::print {
 
-std::string short_number(double value) {
-  char text[48];
-  std::snprintf(text, sizeof text, "%.3f", value);
-  std::string out = text;
+std::string short_number(double value, int decimals) {
+  std::string out = tool::formed("%.*f", decimals, value);
   out.erase(out.find_last_not_of('0') + 1);
   if (out.back() == '.') out.pop_back();
   return out;
