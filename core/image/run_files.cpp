@@ -110,6 +110,12 @@ void claim_output(const fs::path& place, std::string_view what) {
   files.outputs.insert_or_assign(std::move(real), std::string(what));
 }
 
+void check_output(const fs::path& place, std::string_view what) {
+  if (place.empty() || place == "-") return;
+  check_writable(place);
+  claim_output(place, what);
+}
+
 void forget_run_files() {
   RunFiles& files = run_files();
   const std::lock_guard lock(files.mutex);

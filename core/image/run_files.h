@@ -29,6 +29,9 @@ void check_not_input(const std::filesystem::path& place);
 /// output is that file, be it there already or not.
 void claim_output(const std::filesystem::path& place, std::string_view what);
 
+/// The same of a file that must be writable, before anything is computed. An empty name and "-" are none.
+void check_output(const std::filesystem::path& place, std::string_view what);
+
 /// For tests: nothing was read or claimed.
 void forget_run_files();
 

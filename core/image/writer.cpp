@@ -202,15 +202,6 @@ void PictureWriter::put(const Image& band) {
 
 void PictureWriter::finish() { m_parts->picture.finish(); }
 
-void write_image(const Image& image, const fs::path& path, const ImageFormat& format,
-                 const ImageMetadata& metadata) {
-  check_size(image.width, image.height, image.rgba.size(),
-             std::size_t{4} * image.width * image.height, path);
-  PictureWriter writer(path, image.width, image.height, format, metadata);
-  writer.put(image);
-  writer.finish();
-}
-
 void write_stored(const StoredImage& image, const fs::path& path) {
   check_size(image.width, image.height, image.samples.size(),
              std::size_t{image.width} * image.height * image.channels, path);

@@ -94,9 +94,6 @@ class PictureWriter {
   std::unique_ptr<Parts> m_parts;
 };
 
-void write_image(const Image& image, const std::filesystem::path& path, const ImageFormat& format,
-                 const ImageMetadata& metadata = {});
-
 /// A value of the picture as the file's integer: encoded, scaled to 2^bits - 1, rounded, clipped.
 /// A NaN becomes 0.
 unsigned quantised(float value, const ImageFormat& format);

@@ -49,7 +49,7 @@ inline constexpr auto set = [](auto& target, const GivenOption& given) {
 };
 /// A place for it: a member of a member.
 template <auto Outer, auto Inner>
-inline constexpr auto within = [](auto& target) -> auto& {
+inline constexpr auto of_member = [](auto& target) -> auto& {
   return target.*Outer.*Inner;
 };
 

@@ -163,10 +163,7 @@ class Batch {
     const fs::path& out = m_plan.arguments.out;
     core::claim_output(out / "manifest.jsonl", "the manifest");
     core::claim_output(out / "index.html", "the page");
-    const fs::path& table = m_plan.arguments.table;
-    if (table.empty()) return;
-    core::check_writable(table);
-    core::claim_output(table, "--table");
+    core::check_output(m_plan.arguments.table, "--table");
   }
 
   static void note_inputs(const Row& row) {

@@ -153,30 +153,32 @@ void take_copies(Arguments& a, const GivenOption& given) {
   }
 }
 
+double lpi_of(const GivenOption& given) { return number_within(given, 1e-4, kMostLpi); }
+double focal_length_of(const GivenOption& given) { return length_within(given, 1e-3, 1000.0); }
 bool are_hard(const GivenOption& given) { return parser::is_second(given, "grey", "hard"); }
 bool is_together(const GivenOption& given) { return parser::is_second(given, "apart", "together"); }
 bool is_of_picture(const GivenOption& given) { return parser::is_second(given, "edge", "picture"); }
 
 using A = Arguments;
+using parser::of_member;
 using parser::set;
-using parser::within;
 
 constexpr ValueOption kValues[] = {
     {"Out", kAll, set<&A::out, parser::any_file>},
-    {"Lpi", kAll, set<within<&A::lens, &GivenLensData::lens_pitch>, pitch_of_lpi>},
-    {"Lens_Pitch", kAll, set<within<&A::lens, &GivenLensData::lens_pitch>, lens_pitch>},
+    {"Lpi", kAll, set<of_member<&A::lens, &GivenLensData::lens_pitch>, pitch_of_lpi>},
+    {"Lens_Pitch", kAll, set<of_member<&A::lens, &GivenLensData::lens_pitch>, lens_pitch>},
     {"Dpi", kAll, take_dpi},
     {"Size", kTests, set<&A::size, page_size>},
-    {"Span", kPitch | kPhase, set<&A::span, number_within, 1e-4, kMostLpi>},
-    {"Step", kPitch | kPhase, set<&A::step, number_within, 1e-4, kMostLpi>},
+    {"Span", kPitch | kPhase, set<&A::span, lpi_of>},
+    {"Step", kPitch | kPhase, set<&A::step, lpi_of>},
     {"Bands", kPitch | kPhase, set<&A::bands, parser::whole_number, 1, 200>},
     {"Edges", kTests, set<&A::hard_edges, are_hard>},
     {"Phases", kPhase, set<&A::phases, parser::whole_number, 2, 64>},
-    {"Distance", kEye, set<&A::distance, length_within, 10.0, 1e5>},
-    {"Eyes", kEye, set<&A::separation, length_within, 1.0, 1000.0>},
-    {"Focal_Length", kEye, set<&A::focal_length, length_within, 1e-3, 1000.0>},
-    {"Ior", kEye, set<&A::ior, number_within, 1.0, 4.0>},
-    {"Pixels", kSheet, set<within<&A::lens, &GivenLensData::pixels>, number_within, 1.0, 1e5>},
+    {"Distance", kEye, set<&A::distance, length_within, 10, 100000>},
+    {"Eyes", kEye, set<&A::separation, length_within, 1, 1000>},
+    {"Focal_Length", kEye, set<&A::focal_length, focal_length_of>},
+    {"Ior", kEye, set<&A::ior, number_within, 1, 4>},
+    {"Pixels", kSheet, set<of_member<&A::lens, &GivenLensData::pixels>, number_within, 1, 100000>},
     {"Dpi_Y", kAll,
      [](Arguments& a, const GivenOption& g) {
        a.lens.dpi_y = dpi_of(g);
@@ -184,15 +186,15 @@ constexpr ValueOption kValues[] = {
      }},
     {"Copies", kSheet, take_copies},
     {"Grid", kSheet, set<&A::grid, grid_of>},
-    {"Gap", kSheet, set<within<&A::style, &SheetStyle::gap>, length_within, 0.0, 1000.0>},
-    {"Seen", kSheet, set<within<&A::style, &SheetStyle::is_seen_together>, is_together>},
-    {"Paper", kSheet, set<within<&A::style, &SheetStyle::paper>, page_size>},
-    {"Margin", kSheet, set<&A::margin, length_within, 0.0, 1000.0>},
-    {"Bleed", kSheet, set<within<&A::style, &SheetStyle::bleed>, length_within, 0.0, 200.0>},
-    {"Bleed_From", kSheet, set<within<&A::style, &SheetStyle::bleed_of_picture>, is_of_picture>},
-    {"Marks", kSheet, set<within<&A::style, &SheetStyle::marks>, marks_of>},
-    {"Background", kSheet, set<within<&A::style, &SheetStyle::background>, colour_of>},
-    {"Overlap", kSheet, set<&A::overlap, length_within, 0.0, 1000.0>},
+    {"Gap", kSheet, set<of_member<&A::style, &SheetStyle::gap>, length_within, 0, 1000>},
+    {"Seen", kSheet, set<of_member<&A::style, &SheetStyle::is_seen_together>, is_together>},
+    {"Paper", kSheet, set<of_member<&A::style, &SheetStyle::paper>, page_size>},
+    {"Margin", kSheet, set<&A::margin, length_within, 0, 1000>},
+    {"Bleed", kSheet, set<of_member<&A::style, &SheetStyle::bleed>, length_within, 0, 200>},
+    {"Bleed_From", kSheet, set<of_member<&A::style, &SheetStyle::bleed_of_picture>, is_of_picture>},
+    {"Marks", kSheet, set<of_member<&A::style, &SheetStyle::marks>, marks_of>},
+    {"Background", kSheet, set<of_member<&A::style, &SheetStyle::background>, colour_of>},
+    {"Overlap", kSheet, set<&A::overlap, length_within, 0, 1000>},
     {"Pitch", kSheet, set<&A::print_pitch, pitch_of>},
     {"Bits", kSheet,
      [](Arguments& a, const GivenOption& g) {

@@ -1,5 +1,6 @@
 #include "tools/lentray-views/arguments.h"
 
+#include <algorithm>
 #include <array>
 #include <charconv>
 #include <cmath>
@@ -52,21 +53,22 @@ Range pair_in(const GivenOption& given) {
   return {(*both)[0], (*both)[1]};
 }
 
-Size size_in(const GivenOption& given) {
+Size sides_in(const GivenOption& given, std::uint32_t most, const char* expected) {
   const auto both = two_numbers(given.value, "x");
-  if (!both || (*both)[0] == 0 || (*both)[1] == 0) {
-    parser::refuse(given, "a size such as 420x560 is expected");
+  if (!both || std::ranges::min(*both) == 0 || std::ranges::max(*both) > most) {
+    parser::refuse(given, expected);
   }
   return {(*both)[0], (*both)[1]};
 }
 
+Size size_in(const GivenOption& given) {
+  return sides_in(given, 1'000'000, "a size such as 420x560 is expected");
+}
+
 void set_quilt(Arguments& a, const GivenOption& given) {
-  const auto both = two_numbers(given.value, "x");
-  if (!both || (*both)[0] == 0 || (*both)[1] == 0 || (*both)[0] > 1000 || (*both)[1] > 1000) {
-    parser::refuse(given, "columns x rows of views are expected, such as 8x6");
-  }
-  a.columns = (*both)[0];
-  a.rows = (*both)[1];
+  const Size grid = sides_in(given, 1000, "columns x rows of views are expected, such as 8x6");
+  a.columns = grid.width;
+  a.rows = grid.height;
 }
 
 Eye eye_in(const GivenOption& given) {
@@ -92,7 +94,7 @@ Filter filter_in(const GivenOption& given) {
   return *filter;
 }
 
-camera::LensModel model_in(const GivenOption& given) {
+camera::LensModel lens_model_in(const GivenOption& given) {
   const auto model = camera::model_named(given.value);
   if (!model) parser::refuse(given, "there are paraxial, pinhole and thick");
   return *model;
@@ -136,7 +138,7 @@ struct Words : Arguments {
 
 using parser::set;
 template <auto Member>
-constexpr auto of_sheet = parser::within<&Words::sheet, Member>;
+constexpr auto of_sheet = parser::of_member<&Words::sheet, Member>;
 
 constexpr parser::OwnOption<Words> kOptions[] = {
     {"View",
@@ -179,7 +181,7 @@ constexpr parser::OwnOption<Words> kOptions[] = {
     {"Lens_Pitch", set<of_sheet<&SheetOptions::pitch>, parser::positive>},
     {"Lens_Focal_Length", set<of_sheet<&SheetOptions::focal_length>, parser::positive>},
     {"Lens_IOR", set<of_sheet<&SheetOptions::ior>, parser::positive>},
-    {"Lens_Model", set<of_sheet<&SheetOptions::model>, model_in>},
+    {"Lens_Model", set<of_sheet<&SheetOptions::model>, lens_model_in>},
     {"View_Distance", set<of_sheet<&SheetOptions::view_distance>, distance_in>},
     {"Lens_Slant", set<of_sheet<&SheetOptions::slant>, slant_in>},
     {"Preview",

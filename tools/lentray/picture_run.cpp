@@ -71,18 +71,12 @@ void check_order(const RenderOptions& o) {
 }
 
 /// Files are asked for before anything is read, so that no work is lost on them.
-void check_output(const std::string& place, std::string_view what) {
-  if (place.empty() || place == "-") return;
-  core::check_writable(place);
-  core::claim_output(place, what);
-}
-
 void check_outputs(Run& run) {
   const RenderOptions& o = run.options;
   judge_options(o);
-  check_output(o.dump_rays, "--dump-rays");
-  check_output(sheet_file(o, o.depth_view), "--depth-view");
-  check_output(sheet_file(o, o.view_cameras), "View_Cameras");
+  core::check_output(o.dump_rays, "--dump-rays");
+  core::check_output(sheet_file(o, o.depth_view), "--depth-view");
+  core::check_output(sheet_file(o, o.view_cameras), "View_Cameras");
   if (!renders(o)) return;
   if (o.shadow_log && o.statistics_file.empty()) {
     throw parser::OptionError("Shadow_Log goes into the statistics: name a Statistics_File");
@@ -91,13 +85,13 @@ void check_outputs(Run& run) {
   parser::check_picture_size(o.width, o.height, bytes_a_row(film_settings(o).antialiasing, width),
                              machine_memory());
   if (!o.statistics_file.empty())
-    check_output(parser::frame_path(o, o.statistics_file), "Statistics_File");
+    core::check_output(parser::frame_path(o, o.statistics_file), "Statistics_File");
   if (!o.dependencies_file.empty())
-    check_output(parser::frame_path(o, o.dependencies_file), "Dependencies_File");
+    core::check_output(parser::frame_path(o, o.dependencies_file), "Dependencies_File");
   if (!o.output_to_file) return;
-  check_output(RadiosityStore::output(o), "Radiosity_File_Name");
+  core::check_output(RadiosityStore::output(o), "Radiosity_File_Name");
   run.output = parser::output_path(o, run.type);
-  check_output(run.output, "the picture");
+  core::check_output(run.output, "the picture");
 }
 
 /// The diagnostics may live longer than a run, but not than these.
