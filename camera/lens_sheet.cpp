@@ -16,6 +16,13 @@ const char* name_of(LensModel model) {
   return "thick";
 }
 
+std::optional<LensModel> model_named(std::string_view name) {
+  for (const auto model : {LensModel::kParaxial, LensModel::kPinhole, LensModel::kThick}) {
+    if (name == name_of(model)) return model;
+  }
+  return std::nullopt;
+}
+
 double LensParameters::print_pitch() const {
   // f/(nV) is 0 for an infinite V.
   return pitch * (1.0 + focal_length / (ior * view_distance));

@@ -10,7 +10,9 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "core/numeric/lens_columns.h"
@@ -23,6 +25,7 @@ enum class LensModel {
   kThick,     ///< several rays a pixel through a round surface (camera/thick_lens.h)
 };
 const char* name_of(LensModel model);
+std::optional<LensModel> model_named(std::string_view name);
 
 /// A sheet as its maker describes it.
 struct LensParameters {

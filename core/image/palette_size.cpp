@@ -4,8 +4,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <fstream>
-#include <iterator>
-#include <string>
 #include <string_view>
 
 #include "core/image/file_bytes.h"
@@ -53,9 +51,7 @@ int palette_size(const std::filesystem::path& path, bool is_targa) {
   if (begins.starts_with("\x89PNG")) return of_png(file, head);
   if (begins.starts_with("BM")) return of_bitmap(head);
   if (is_targa) return of_targa(head);
-  file.clear();
-  file.seekg(0);
-  return tiff_palette_size(std::string{std::istreambuf_iterator<char>(file), {}});
+  return tiff_palette_size(file);
 }
 
 }  // namespace lentray::core

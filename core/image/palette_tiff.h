@@ -6,8 +6,8 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <istream>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "core/image/reader.h"
@@ -17,7 +17,7 @@ namespace lentray::core {
 /// Of the first picture in the bytes of a file: rows from the top.
 std::vector<std::uint8_t> tiff_entries(std::string file, std::uint32_t width, std::uint32_t height);
 /// 0: there is none.
-int tiff_palette_size(std::string_view file);
+int tiff_palette_size(std::istream& file);
 
 /// `image`, which was read from this file, gets the colours that its palette has for its entries: 16 bits.
 void restore_palette_colours(StoredImage& image, const std::filesystem::path& path);

@@ -84,6 +84,25 @@ std::optional<double> TiffTags::fraction(std::uint64_t directory, std::uint16_t 
   return below > 0.0 ? std::optional(above / below) : std::nullopt;
 }
 
+std::uint64_t TiffTags::place(std::uint64_t directory, std::uint16_t tag) {
+  const auto entry = find(directory, tag);
+  return entry ? entry->place : 0;
+}
+
+std::vector<std::uint16_t> TiffTags::words(std::uint64_t directory, std::uint16_t tag) {
+  constexpr std::uint64_t kMost = 3 << 16;
+  const auto entry = find(directory, tag);
+  if (!entry || entry->type != kShort || entry->count > kMost) return {};
+  const std::string bytes = read_part(m_file, entry->place, 2 * entry->count);
+  std::vector<std::uint16_t> out;
+  for (std::size_t i = 0; i + 1 < bytes.size(); i += 2) {
+    const std::string_view word = std::string_view(bytes).substr(i, 2);
+    out.push_back(
+        static_cast<std::uint16_t>(m_is_big_endian ? big_endian(word) : little_endian(word)));
+  }
+  return out;
+}
+
 std::optional<std::string> TiffTags::bytes(std::uint64_t directory, std::uint16_t tag) {
   const auto entry = find(directory, tag);
   constexpr std::uint64_t kMost = std::uint64_t{1} << 26;

@@ -6,6 +6,7 @@
 #include <istream>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace lentray::core {
 
@@ -19,6 +20,10 @@ class TiffTags {
   /// A whole number of the directory there.
   std::optional<std::uint64_t> number(std::uint64_t directory, std::uint16_t tag);
   std::optional<double> fraction(std::uint64_t directory, std::uint16_t tag);
+  /// Numbers of two bytes; none where the file ends early.
+  std::vector<std::uint16_t> words(std::uint64_t directory, std::uint16_t tag);
+  /// Where its values are; 0: it is not there.
+  std::uint64_t place(std::uint64_t directory, std::uint16_t tag);
   /// Bytes or characters, without zeros at the end of a text.
   std::optional<std::string> bytes(std::uint64_t directory, std::uint16_t tag);
 

@@ -44,4 +44,11 @@ std::filesystem::path file_name(const GivenOption& given, const char* what) {
   return given.value;
 }
 
+bool is_second(const GivenOption& given, const std::string& first, const std::string& second) {
+  if (given.value != first && given.value != second) {
+    refuse(given, "there are " + first + " and " + second);
+  }
+  return given.value == second;
+}
+
 }  // namespace lentray::parser

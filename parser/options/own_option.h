@@ -5,9 +5,11 @@
 
 #include <cstddef>
 #include <filesystem>
+#include <functional>
 #include <optional>
 #include <string>
 #include <string_view>
+#include <type_traits>
 #include <vector>
 
 #include "parser/options/option_values.h"
@@ -39,10 +41,26 @@ bool take_own_option(const std::vector<std::string>& words, std::size_t& at,
   return false;
 }
 
+/// What a row does that only sets a member, given as `Place`: what `read` makes of the value within the limits.
+template <auto Place, auto read, auto... Limits>
+inline constexpr auto set = [](auto& target, const GivenOption& given) {
+  auto& place = std::invoke(Place, target);
+  place = static_cast<std::remove_reference_t<decltype(place)>>(read(given, Limits...));
+};
+/// A place for it: a member of a member.
+template <auto Outer, auto Inner>
+inline constexpr auto of_member = [](auto& target) -> auto& {
+  return target.*Outer.*Inner;
+};
+
 /// A part of a value, such as a number of a list.
 GivenOption part_of(const GivenOption& given, std::string text);
 /// "the name of a file is expected", unless it is there.
 std::filesystem::path file_name(const GivenOption& given, const char* what = "file");
+
+inline std::filesystem::path any_file(const GivenOption& given) { return file_name(given); }
+/// The second of two words, and not the first.
+bool is_second(const GivenOption& given, const std::string& first, const std::string& second);
 
 /// Strip_Width as --strip-width.
 std::string long_name(std::string_view name);

@@ -68,11 +68,7 @@ void model(Options& o, const Given& g) {
   constexpr std::string_view kThere[] = {"paraxial", "pinhole", "thick", "auto"};
   const std::string_view name = choice(g, "lens model", kThere);
   o.lens.automatic_model = name == "auto";
-  o.lens.model.reset();
-  for (const auto model :
-       {camera::LensModel::kParaxial, camera::LensModel::kPinhole, camera::LensModel::kThick}) {
-    if (name == camera::name_of(model)) o.lens.model = model;
-  }
+  o.lens.model = camera::model_named(name);
 }
 
 void write_slant(const Options& o, std::string_view name, IniLines& out) {

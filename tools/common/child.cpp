@@ -2,7 +2,6 @@
 
 #include <fcntl.h>
 #include <signal.h>
-#include <sys/prctl.h>
 #include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -13,9 +12,9 @@
 #include <fstream>
 #include <stdexcept>
 
-namespace lentray::tool {
+#include "tools/common/process.h"
 
-namespace fs = std::filesystem;
+namespace lentray::tool {
 
 namespace {
 
@@ -27,26 +26,17 @@ sigset_t awaited_signals() {
   return set;
 }
 
-/// In the child. Async-signal-safe calls, but for `work`.
-[[noreturn]] void become(char* const* command, const char* folder, int log,
-                         const std::function<int()>& work, double cpu_limit) {
-  ::prctl(PR_SET_PDEATHSIG, SIGKILL);
+/// In the child.
+void prepare(const Launch& launch) {
   ::setpgid(0, 0);  // a terminal's Ctrl-C is for the parent, which asks its children itself
   const sigset_t set = awaited_signals();
   ::sigprocmask(SIG_UNBLOCK, &set, nullptr);
-  if (cpu_limit > 0.0) {
-    const auto seconds = static_cast<rlim_t>(std::ceil(cpu_limit));
+  if (launch.cpu_limit > 0.0) {
+    const auto seconds = static_cast<rlim_t>(std::ceil(launch.cpu_limit));
     const rlimit limit{seconds, seconds + 5};
     ::setrlimit(RLIMIT_CPU, &limit);
   }
-  const int nothing = ::open("/dev/null", O_RDONLY);
-  ::dup2(nothing, STDIN_FILENO);
-  ::dup2(log, STDOUT_FILENO);
-  ::dup2(log, STDERR_FILENO);
-  if (work) ::_exit(work());
-  if (*folder != '\0' && ::chdir(folder) != 0) ::_exit(126);
-  ::execvp(command[0], command);
-  ::_exit(127);
+  if (launch.work) ::_exit(launch.work());
 }
 
 double seconds_of(const timeval& t) {
@@ -67,16 +57,10 @@ std::uint64_t resident_of(pid_t pid) {
 }  // namespace
 
 Child::Child(const Launch& launch) : m_start(std::chrono::steady_clock::now()) {
-  std::vector<std::string> words = launch.command;
-  std::vector<char*> command;
-  for (std::string& word : words) command.push_back(word.data());
-  command.push_back(nullptr);
-  const std::string folder = launch.folder.string();
   const int log = ::open(launch.log.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
   if (log < 0)
     throw std::runtime_error("cannot write '" + launch.log.string() + "': " + std::strerror(errno));
-  m_pid = ::fork();
-  if (m_pid == 0) become(command.data(), folder.c_str(), log, launch.work, launch.cpu_limit);
+  m_pid = start_program(launch.command, launch.folder, log, [&launch] { prepare(launch); });
   const int error = errno;
   ::close(log);
   if (m_pid < 0)
@@ -87,9 +71,7 @@ Child::Child(const Launch& launch) : m_start(std::chrono::steady_clock::now()) {
 Child::~Child() {
   if (m_pid < 0) return;
   kill();
-  int status = 0;
-  while (::waitpid(m_pid, &status, 0) < 0 && errno == EINTR) {
-  }
+  end_of(m_pid);
 }
 
 void Child::ask_to_stop() const {
@@ -105,7 +87,7 @@ std::optional<Ended> Child::ended() {
   rusage usage{};
   if (m_pid < 0 || ::wait4(m_pid, &status, WNOHANG, &usage) != m_pid) return std::nullopt;
   m_pid = -1;
-  return Ended{WIFSIGNALED(status) ? 128 + WTERMSIG(status) : WEXITSTATUS(status), seconds(),
+  return Ended{exit_status(status), seconds(),
                seconds_of(usage.ru_utime) + seconds_of(usage.ru_stime),
                static_cast<std::uint64_t>(usage.ru_maxrss) * 1024};
 }

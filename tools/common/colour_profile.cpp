@@ -6,27 +6,19 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <memory>
 #include <utility>
 #include <vector>
+
+#include "core/base/owned.h"
 
 namespace lentray::tool {
 namespace {
 
 using core::StoredImage;
 
-struct CloseProfile {
-  void operator()(void* profile) const { cmsCloseProfile(profile); }
-};
-using Profile = std::unique_ptr<void, CloseProfile>;
-struct FreeCurve {
-  void operator()(cmsToneCurve* curve) const { cmsFreeToneCurve(curve); }
-};
-using Curve = std::unique_ptr<cmsToneCurve, FreeCurve>;
-struct DeleteTransform {
-  void operator()(void* transform) const { cmsDeleteTransform(transform); }
-};
-using Transform = std::unique_ptr<void, DeleteTransform>;
+using Profile = core::Owned<void, cmsCloseProfile>;
+using Curve = core::Owned<cmsToneCurve, cmsFreeToneCurve>;
+using Transform = core::Owned<void, cmsDeleteTransform>;
 
 constexpr cmsUInt32Number kGreys = TYPE_GRAY_FLT, kColours = TYPE_RGB_FLT, kInks = TYPE_CMYK_FLT;
 constexpr cmsCIExyY kD65{0.3127, 0.3290, 1.0};

@@ -1,5 +1,7 @@
 #include "tools/common/companion.h"
 
+#include <cinttypes>
+
 #include "core/base/formed.h"
 #include "parser/files/watched_files.h"
 
@@ -10,9 +12,7 @@ std::string companion_path(const std::string& path, const std::string& end) {
   const std::size_t name = path.rfind('/') + 1;
   if (path.size() - name + end.size() <= kLongest) return path + end;
   return path.substr(0, name + kKept) +
-         core::formed("~%016llx",
-                      static_cast<unsigned long long>(parser::checksum(path.substr(name)))) +
-         end;
+         core::formed("~%016" PRIx64, parser::checksum(path.substr(name))) + end;
 }
 
 std::string journal_path(const std::string& picture) {

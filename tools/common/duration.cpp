@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <ctime>
 #include <utility>
 
 #include "core/base/formed.h"
@@ -18,6 +19,14 @@ std::string duration_text(double seconds) {
   }
   const long long minutes = std::llround(seconds / 60.0);
   return core::formed("%lld h %lld min", minutes / 60, minutes % 60);
+}
+
+std::string utc_text(const char* form) {
+  const std::time_t now = std::time(nullptr);
+  std::tm parts{};
+  gmtime_r(&now, &parts);
+  char text[64];
+  return {text, std::strftime(text, sizeof text, form, &parts)};
 }
 
 std::optional<double> duration_of(std::string_view text) {

@@ -7,6 +7,7 @@
 #include "core/image/jpeg_inks.h"
 #include "core/image/orientation.h"
 #include "core/image/srgb.h"
+#include "parser/options/own_option.h"
 #include "tools/common/colour_profile.h"
 
 namespace lentray::tool {
@@ -45,10 +46,8 @@ void add_words(const PhotoTags& tags, StoredImage& image) {
 
 }  // namespace
 
-std::optional<Profiles> profiles_named(std::string_view name) {
-  if (name == "srgb") return Profiles::kSrgb;
-  if (name == "keep") return Profiles::kKeep;
-  return std::nullopt;
+Profiles profiles_in(const parser::GivenOption& given) {
+  return parser::is_second(given, "srgb", "keep") ? Profiles::kKeep : Profiles::kSrgb;
 }
 
 StoredImage PhotoReader::read(const std::filesystem::path& path) {

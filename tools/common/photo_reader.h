@@ -4,13 +4,12 @@
 #pragma once
 
 #include <filesystem>
-#include <optional>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "core/image/photo_tags.h"
 #include "core/image/reader.h"
+#include "parser/options/option_values.h"
 
 namespace lentray::tool {
 
@@ -19,8 +18,8 @@ enum class Profiles {
   kSrgb,  ///< colours are converted to sRGB
   kKeep   ///< samples stay, and the profile goes with them (core::StoredImage::profile)
 };
-inline constexpr const char* kProfilesExpected = "there are srgb and keep";
-std::optional<Profiles> profiles_named(std::string_view name);
+/// Of the words srgb and keep. Throws parser::OptionError.
+Profiles profiles_in(const parser::GivenOption& given);
 
 class PhotoReader {
  public:

@@ -14,6 +14,7 @@
 #include <sstream>
 #include <stdexcept>
 #include <system_error>
+#include <utility>
 
 #include "core/image/file_swap.h"
 #include "core/image/writer.h"
@@ -23,18 +24,6 @@ namespace lentray::tool {
 namespace fs = std::filesystem;
 
 namespace {
-
-/// In the child, after fork: only async-signal-safe calls.
-[[noreturn]] void become(char* const* arguments, const char* folder, int output) {
-  ::prctl(PR_SET_PDEATHSIG, SIGKILL);  // it must not outlive whoever waits for it
-  const int nothing = ::open("/dev/null", O_RDONLY);
-  ::dup2(nothing, STDIN_FILENO);
-  ::dup2(output, STDOUT_FILENO);
-  ::dup2(output, STDERR_FILENO);
-  if (*folder != '\0' && ::chdir(folder) != 0) ::_exit(127);
-  ::execvp(arguments[0], arguments);
-  ::_exit(127);
-}
 
 /// Reads until the other end closes; false when the time is over.
 bool read_all(int from, double seconds, std::string& into) {
@@ -61,33 +50,54 @@ bool read_all(int from, double seconds, std::string& into) {
 
 }  // namespace
 
-RunResult run_program(const std::vector<std::string>& command, const fs::path& folder,
-                      double seconds) {
+pid_t start_program(const std::vector<std::string>& command, const fs::path& folder, int output,
+                    const std::function<void()>& first) {
   std::vector<std::string> words = command;
   std::vector<char*> arguments;
-  for (std::string& w : words) arguments.push_back(w.data());
+  for (std::string& word : words) arguments.push_back(word.data());
   arguments.push_back(nullptr);
-  const std::string folder_name = folder.string();
+  const pid_t process = ::fork();
+  if (process != 0) return process;
+  // Async-signal-safe calls, but for what `first` does.
+  ::prctl(PR_SET_PDEATHSIG, SIGKILL);  // it must not outlive whoever waits for it
+  const int nothing = ::open("/dev/null", O_RDONLY);
+  ::dup2(nothing, STDIN_FILENO);
+  ::dup2(output, STDOUT_FILENO);
+  ::dup2(output, STDERR_FILENO);
+  if (first) first();
+  if (!folder.empty() && ::chdir(folder.c_str()) != 0) ::_exit(126);
+  ::execvp(arguments[0], arguments.data());
+  ::_exit(127);
+}
+
+int exit_status(int said) { return WIFSIGNALED(said) ? 128 + WTERMSIG(said) : WEXITSTATUS(said); }
+
+int end_of(pid_t process) {
+  int said = 0;
+  while (::waitpid(process, &said, 0) < 0 && errno == EINTR) {
+  }
+  return exit_status(said);
+}
+
+RunResult run_program(const std::vector<std::string>& command, const fs::path& folder,
+                      double seconds) {
   int ends[2];
   if (::pipe2(ends, O_CLOEXEC) != 0) {
     throw std::runtime_error(std::string("cannot make a pipe: ") + std::strerror(errno));
   }
-  const pid_t child = ::fork();
-  if (child == 0) become(arguments.data(), folder_name.c_str(), ends[1]);
+  const pid_t child = start_program(command, folder, ends[1]);
+  const int error = errno;
   ::close(ends[1]);
   if (child < 0) {
     ::close(ends[0]);
-    throw std::runtime_error("cannot start '" + command[0] + "': " + std::strerror(errno));
+    throw std::runtime_error("cannot start '" + command[0] + "': " + std::strerror(error));
   }
   RunResult result;
   result.timed_out = !read_all(ends[0], seconds, result.output);
   if (result.timed_out) ::kill(child, SIGKILL);
   ::close(ends[0]);
-  int status = 0;
-  while (::waitpid(child, &status, 0) < 0 && errno == EINTR) {
-  }
-  result.status = WIFSIGNALED(status) ? 128 + WTERMSIG(status) : WEXITSTATUS(status);
-  if (result.status == 127 && result.output.empty()) {
+  result.status = end_of(child);
+  if ((result.status == 126 || result.status == 127) && result.output.empty()) {
     throw std::runtime_error("cannot start '" + command[0] + "': is it installed?");
   }
   return result;
@@ -106,14 +116,18 @@ TemporaryFolder::~TemporaryFolder() {
   fs::remove_all(m_path, ignored);
 }
 
+std::string file_bytes(const fs::path& path) {
+  const std::ifstream file(path, std::ios::binary);
+  std::ostringstream bytes;
+  if (file) bytes << file.rdbuf();
+  return std::move(bytes).str();
+}
+
 std::string read_text(const fs::path& path) {
-  std::ifstream file(path, std::ios::binary);
-  std::ostringstream text;
-  if (!file || fs::is_directory(path)) {
+  if (::access(path.c_str(), R_OK) != 0 || fs::is_directory(path)) {
     throw std::runtime_error("cannot read '" + path.string() + "'");
   }
-  text << file.rdbuf();
-  return text.str();
+  return file_bytes(path);
 }
 
 void write_text(const fs::path& path, const std::string& text) {

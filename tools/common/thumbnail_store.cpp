@@ -2,11 +2,11 @@
 
 #include <cstdint>
 #include <fstream>
-#include <iterator>
 #include <string_view>
 #include <system_error>
 
 #include "core/base/formed.h"
+#include "tools/common/process.h"
 
 namespace lentray::tool {
 namespace {
@@ -38,9 +38,7 @@ std::optional<std::string> ThumbnailStore::name_of(const fs::path& picture,
 
 std::optional<std::string> ThumbnailStore::find(const std::string& name) {
   m_asked_for.insert(name);
-  std::ifstream file(m_folder / name, std::ios::binary);
-  if (!file) return std::nullopt;
-  std::string jpeg{std::istreambuf_iterator<char>(file), {}};
+  std::string jpeg = file_bytes(m_folder / name);
   const bool is_whole = jpeg.starts_with("\xff\xd8") && jpeg.ends_with("\xff\xd9");
   return is_whole ? std::optional(std::move(jpeg)) : std::nullopt;
 }

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cstdio>
-#include <ctime>
 #include <stdexcept>
 
 #include "tools/common/duration.h"
@@ -22,12 +21,7 @@ namespace {
 constexpr int kMostSubmissions = 4;  ///< of the same work
 
 std::string run_name() {
-  const std::time_t now = std::time(nullptr);
-  std::tm parts{};
-  gmtime_r(&now, &parts);
-  char text[64];
-  std::strftime(text, sizeof text, "%Y%m%d-%H%M%S", &parts);
-  return std::string(text) + "-" + std::to_string(::getpid());
+  return tool::utc_text("%Y%m%d-%H%M%S") + "-" + std::to_string(::getpid());
 }
 
 /// "0,3-5" of {0, 3, 4, 5}.
@@ -50,12 +44,9 @@ Row joined(const std::vector<Row>& bands) {
   row.band.clear();
   for (std::size_t i = 1; i < bands.size(); ++i) {
     const Row& b = bands[i];
-    row.wall += b.wall;
-    row.cpu += b.cpu;
-    row.reading += b.reading;
-    row.building += b.building;
-    row.rendering += b.rendering;
-    row.writing += b.writing;
+    for (double Row::*time :
+         {&Row::wall, &Row::cpu, &Row::reading, &Row::building, &Row::rendering, &Row::writing})
+      row.*time += b.*time;
     row.memory = std::max(row.memory, b.memory);
     row.attempts += b.attempts;
     if (b.state == State::failed && row.state != State::failed) {
@@ -215,8 +206,7 @@ void Cluster::merge(const std::string& name, const std::vector<Row>& bands) {
   if (row.state == State::done) {
     std::vector<std::string> command{m_plan.arguments.merge.string()};
     for (const Row& band : bands) command.push_back((out / band.picture).string());
-    command.insert(command.end(),
-                   {"--rows", rows_of_bands(name), "--out", (out / row.picture).string()});
+    tool::append(command, {"--rows", rows_of_bands(name), "--out", (out / row.picture).string()});
     fs::create_directories((out / row.picture).parent_path());
     const tool::RunResult result = tool::run_program(command);
     if (result.status == 0) {

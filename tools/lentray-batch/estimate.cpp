@@ -2,11 +2,12 @@
 
 #include <algorithm>
 #include <deque>
-#include <fstream>
 #include <nlohmann/json.hpp>
 
 #include "core/render/film.h"
+#include "tools/common/json_text.h"
 #include "tools/common/process.h"
+#include "tools/common/shell_words.h"
 
 namespace lentray::batch {
 
@@ -19,19 +20,6 @@ constexpr double kLeastWidth = 48.0, kLeastHeight = 12.0;
 constexpr double kStart = 0.03;  ///< seconds that starting a program takes
 constexpr double kLongestProbe =
     60.0;  ///< seconds of a coarse render; what takes longer is taken for that much
-
-struct PictureSize {
-  double width = 0.0, height = 0.0;
-};
-/// Of a view its own size, not that of the integral image.
-PictureSize size_of(const parser::RenderOptions& o) {
-  if (o.animation.views.count > 0 && o.views.size) {
-    return {static_cast<double>(o.views.size->width), static_cast<double>(o.views.size->height)};
-  }
-  return {static_cast<double>(o.width), static_cast<double>(o.height)};
-}
-
-double pixels(const parser::RenderOptions& o) { return size_of(o).width * size_of(o).height; }
 
 Estimate bare(const Job& job) {
   Estimate e;
@@ -74,30 +62,25 @@ Coarse start(const Plan& plan, const Job& job, const std::string& place) {
   coarse.job = &job;
   // Lentray adds the digits of frames and views.
   coarse.statistics = place + (job.frame() ? job.frame()->digits : "") + ".json";
-  coarse.scale = pixels(o) / (width * height);
+  coarse.scale = size_of(o).pixels() / (width * height);
   tool::Launch launch;
   launch.folder = job.scene().source.parent_path();
   launch.log = place + ".log";
   launch.command = {plan.arguments.lentray.string()};
-  for (const std::string& word : job.words()) launch.command.push_back(word);
-  for (const std::string& word :
-       {word_of(job.scene()), std::string("-F"), std::string("-V"), std::string("+WT1"),
-        std::string("Count_Tests=Off"), std::string("Scene_Writes=memory"),
-        "Statistics_File=" + place + ".json"}) {
-    launch.command.push_back(word);
-  }
+  tool::append(launch.command, job.words());
+  tool::append(launch.command, {word_of(job.scene()), "-F", "-V", "+WT1", "Count_Tests=Off",
+                                "Scene_Writes=memory", "Statistics_File=" + place + ".json"});
   if (o.animation.views.count > 0) {  // the sheet stays as it is
     launch.command.push_back("View_Size=" + columns + "x" + rows);
   } else {
-    launch.command.insert(launch.command.end(), {"+W" + columns, "+H" + rows});
+    tool::append(launch.command, {"+W" + columns, "+H" + rows});
   }
   coarse.child = std::make_unique<tool::Child>(launch);
   return coarse;
 }
 
 void read(const Coarse& coarse, const tool::Ended& ended, Estimate& e) {
-  std::ifstream file(coarse.statistics, std::ios::binary);
-  const json all = file ? json::parse(file, nullptr, false) : json();
+  const json all = tool::json_if_any(tool::file_bytes(coarse.statistics));
   if (ended.status == 0 && all.is_object()) {
     const json& time = all.at("time");
     e.fixed =
@@ -115,8 +98,8 @@ bool from_earlier(const Job& job, const std::map<std::string, Row>& earlier, Est
   if (at == earlier.end() || at->second.rendering <= 0.0 || at->second.width == 0) return false;
   const Row& row = at->second;
   e.fixed = kStart + row.reading + row.building;
-  e.rendering =
-      row.rendering * pixels(job.options()) / (static_cast<double>(row.width) * row.height);
+  e.rendering = row.rendering * size_of(job.options()).pixels() /
+                (static_cast<double>(row.width) * row.height);
   return true;
 }
 

@@ -5,9 +5,7 @@
 #include <cerrno>
 #include <cstdlib>
 #include <cstring>
-#include <ctime>
 #include <fstream>
-#include <iterator>
 #include <nlohmann/json.hpp>
 
 #include "core/base/formed.h"
@@ -15,9 +13,11 @@
 #include "parser/files/watched_files.h"
 #include "parser/options/create_ini.h"
 #include "tools/common/companion.h"
+#include "tools/common/duration.h"
 #include "tools/common/json_text.h"
 #include "tools/common/messages.h"
 #include "tools/common/process.h"
+#include "tools/common/shell_words.h"
 #include "tools/lentray-batch/run_log.h"
 #include "tools/lentray-batch/stamps.h"
 #include "tools/lentray-batch/verdict.h"
@@ -42,14 +42,7 @@ std::string hexadecimal(std::uint64_t value) {
   return core::formed("%016llx", static_cast<unsigned long long>(value));
 }
 
-std::string utc_now() {
-  const std::time_t now = std::time(nullptr);
-  std::tm parts{};
-  gmtime_r(&now, &parts);
-  char text[32];
-  std::strftime(text, sizeof text, "%Y-%m-%dT%H:%M:%SZ", &parts);
-  return text;
-}
+std::string utc_now() { return tool::utc_text("%Y-%m-%dT%H:%M:%SZ"); }
 
 /// What decides the picture, but for the files that its scene reads.
 std::string key_of(const Plan& plan, const parser::RenderOptions& o,
@@ -78,10 +71,14 @@ bool tells_of_no_room(const std::string& reason) {
          reason.find("no space") != std::string::npos;
 }
 
-json read_json(const fs::path& path) {
-  std::ifstream file(path, std::ios::binary);
-  if (!file) return {};
-  return tool::json_if_any(std::string(std::istreambuf_iterator<char>(file), {}));
+json read_json(const fs::path& path) { return tool::json_if_any(tool::file_bytes(path)); }
+
+/// The batch's options, and then the scene's own.
+std::vector<std::string> options_in_words(const Plan& plan, const Scene& scene) {
+  std::vector<std::string> words = plan.arguments.for_lentray;
+  if (plan.arguments.scene_ini && !scene.ini.empty())
+    tool::append(words, {"--scene-ini", scene.ini.string()});
+  return words;
 }
 
 std::string signal_text(int signal) {
@@ -100,10 +97,7 @@ std::string word_of(const Scene& scene) {
 }
 
 parser::RenderOptions options_of(const Plan& plan, const Scene& scene) {
-  std::vector<std::string> words = plan.arguments.for_lentray;
-  if (plan.arguments.scene_ini && !scene.ini.empty())
-    words.insert(words.end(), {"--scene-ini", scene.ini.string()});
-  return parser::read_options(words, {});
+  return parser::read_options(options_in_words(plan, scene), {});
 }
 
 Row row_without_job(const Plan&, const Scene& scene, State state, const std::string& reason) {
@@ -145,6 +139,13 @@ std::vector<parser::AnimationFrame> pictures_of(const parser::RenderOptions& opt
       view.clock.frame_number = std::atoi(view.digits.c_str());
   }
   return frames;
+}
+
+PictureSize size_of(const parser::RenderOptions& o) {
+  if (o.animation.views.count > 0 && o.views.size) {
+    return {static_cast<double>(o.views.size->width), static_cast<double>(o.views.size->height)};
+  }
+  return {static_cast<double>(o.width), static_cast<double>(o.height)};
 }
 
 std::string band_picture(const std::string& picture, int index) {
@@ -196,11 +197,7 @@ fs::path Job::made_picture() const {
 
 double Job::room(bool with_journal) const {
   constexpr double kColours = 24.0;  ///< bytes of a pixel in the journal; of samples as many
-  double pixels = static_cast<double>(m_options.width) * static_cast<double>(m_options.height);
-  if (is_view() && m_options.views.size) {
-    pixels = static_cast<double>(m_options.views.size->width) *
-             static_cast<double>(m_options.views.size->height);
-  }
+  double pixels = size_of(m_options).pixels();
   if (m_band) {
     pixels *= static_cast<double>(m_band->last_row - m_band->first_row + 1) /
               static_cast<double>(m_options.height);
@@ -313,15 +310,13 @@ bool Job::is_view_after(const Job& earlier) const {
 }
 
 std::vector<std::string> Job::words(const Job* last) const {
-  std::vector<std::string> words = m_plan.arguments.for_lentray;
-  if (m_plan.arguments.scene_ini && !m_scene.ini.empty())
-    words.insert(words.end(), {"--scene-ini", m_scene.ini.string()});
+  std::vector<std::string> words = options_in_words(m_plan, m_scene);
   if (m_frame) {
     const Job& end = last != nullptr ? *last : *this;
-    words.push_back("+SF" + std::to_string(m_frame->clock.frame_number));
-    words.push_back("+EF" + std::to_string(end.m_frame->clock.frame_number));
+    tool::append(words, {"+SF" + std::to_string(m_frame->clock.frame_number),
+                         "+EF" + std::to_string(end.m_frame->clock.frame_number)});
   } else if (parser::is_animation(m_options.animation)) {
-    words.insert(words.end(), {"+KFI1", "+KFF1"});
+    tool::append(words, {"+KFI1", "+KFF1"});
   }
   return words;
 }
@@ -329,14 +324,14 @@ std::vector<std::string> Job::words(const Job* last) const {
 /// As by hand, but for what the batch needs for itself.
 std::vector<std::string> Job::command(const Job& last, int threads) const {
   std::vector<std::string> command{m_plan.arguments.lentray.string()};
-  for (std::string& word : words(&last)) command.push_back(std::move(word));
+  tool::append(command, words(&last));
   // Lentray adds the digits of frames and views.
   const fs::path picture = root() / (m_scene.name + core::extension_of(m_options.type));
-  command.insert(command.end(),
-                 {word_of(m_scene), "+O" + picture.string(), "+WT" + std::to_string(threads)});
+  tool::append(command,
+               {word_of(m_scene), "+O" + picture.string(), "+WT" + std::to_string(threads)});
   if (m_band) {
-    command.insert(command.end(), {"+SR" + std::to_string(m_band->first_row),
-                                   "+ER" + std::to_string(m_band->last_row)});
+    tool::append(command, {"+SR" + std::to_string(m_band->first_row),
+                           "+ER" + std::to_string(m_band->last_row)});
   }
   return command;
 }
@@ -347,16 +342,14 @@ tool::Launch Job::render(const Job& last, bool goes_on, int threads, double memo
   launch.log = run_file("log");
   fs::create_directories(made_picture().parent_path());
   launch.command = command(last, threads);
-  launch.command.insert(
-      launch.command.end(),
-      {"-V", "-D", "-P", "Count_Tests=Off", core::formed("Max_Memory=%.0f", memory),
-       "Statistics_File=" + given_file("statistics").string(),
-       "Dependencies_File=" + given_file("read").string(), "Scene_Writes=memory"});
+  tool::append(launch.command,
+               {"-V", "-D", "-P", "Count_Tests=Off", core::formed("Max_Memory=%.0f", memory),
+                "Statistics_File=" + given_file("statistics").string(),
+                "Dependencies_File=" + given_file("read").string(), "Scene_Writes=memory"});
   if (goes_on) launch.command.emplace_back("+C");
   // The first run that needs a pass of radiosity keeps it for the others.
   if (!m_options.radiosity_from_file && !m_options.radiosity_to_file) {
-    launch.command.insert(launch.command.end(),
-                          {"+RFI", "+RFO", "+RF" + m_plan.state->radiosity_folder()});
+    tool::append(launch.command, {"+RFI", "+RFO", "+RF" + m_plan.state->radiosity_folder()});
   }
   return launch;
 }
@@ -546,12 +539,11 @@ tool::Launch Job::compare(int processes) {
   const fs::path prefix = root() / "compare" / fs::path(m_row.picture).replace_extension();
   fs::create_directories(prefix.parent_path());
   launch.command = {m_plan.arguments.diff.string()};
-  for (const std::string& word : words()) launch.command.push_back(word);
-  launch.command.insert(
-      launch.command.end(),
-      {"+I" + m_scene.source.string(), "--output=" + prefix.string(),
-       "--threads=" + std::to_string(processes), "--povray=" + m_plan.arguments.povray,
-       "--json=" + run_file("verdict").string()});
+  tool::append(launch.command, words());
+  tool::append(launch.command,
+               {"+I" + m_scene.source.string(), "--output=" + prefix.string(),
+                "--threads=" + std::to_string(processes), "--povray=" + m_plan.arguments.povray,
+                "--json=" + run_file("verdict").string()});
   if (m_plan.arguments.time_limit > 0.0) {
     launch.command.push_back("--time-limit=" +
                              std::to_string(kStocksTimes * m_plan.arguments.time_limit));
@@ -559,9 +551,8 @@ tool::Launch Job::compare(int processes) {
   if (!m_plan.arguments.noise.empty())
     launch.command.push_back("--noise=" + m_plan.arguments.noise);
   if (m_has_picture) {
-    launch.command.insert(
-        launch.command.end(),
-        {"--ours=" + picture_path().string(), "--statistics=" + kept_file("statistics").string()});
+    tool::append(launch.command, {"--ours=" + picture_path().string(),
+                                  "--statistics=" + kept_file("statistics").string()});
   } else {
     launch.command.emplace_back("--stock-alone");
   }

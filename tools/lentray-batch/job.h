@@ -143,6 +143,12 @@ class Job {
 /// The pictures of a scene that has more than one: frames of an animation, or the views of `Views=`, whose frame number
 /// is here that of the view.
 std::vector<parser::AnimationFrame> pictures_of(const parser::RenderOptions& options);
+struct PictureSize {
+  double width = 0.0, height = 0.0;
+  double pixels() const { return width * height; }
+};
+/// Of a view its own size, not that of the integral image.
+PictureSize size_of(const parser::RenderOptions& options);
 /// The word that names a scene in its own folder.
 std::string word_of(const Scene& scene);
 /// Where a band of a picture is kept until all are there, relative to the batch's folder.

@@ -46,11 +46,14 @@ int tilt_views(const Row& row, const PictureStep& step) {
   return is_integral(row) ? std::min(step.views, static_cast<int>(row.lens_pixels)) : 0;
 }
 
+ThumbnailSize size_told(const Row& row, const PictureStep& step) {
+  return {row.width > 0 ? row.width : step.side, row.height > 0 ? row.height : step.side};
+}
+
 /// The most that a row's small picture may take, by the size that the row gives.
 std::size_t picture_bytes(const Row& row, const PictureStep& step) {
   if (step.side == 0) return 0;
-  const std::uint32_t width = row.width > 0 ? row.width : step.side,
-                      height = row.height > 0 ? row.height : step.side;
+  const auto [width, height] = size_told(row, step);
   const ThumbnailSize size = size_within(width, height, width, step.side);
   return bytes_within(step.bytes, std::size_t{size.width} * size.height);
 }
@@ -58,8 +61,7 @@ std::size_t picture_bytes(const Row& row, const PictureStep& step) {
 std::size_t tilt_bytes(const Row& row, const PictureStep& step) {
   const int views = tilt_views(row, step);
   if (views < 2) return 0;
-  const std::uint32_t width = row.width > 0 ? row.width : step.side,
-                      height = row.height > 0 ? row.height : step.side;
+  const auto [width, height] = size_told(row, step);
   const ThumbnailSize size =
       size_within(width, height, columns_of_view(width, row.lens_pixels), step.tilt_side);
   const std::size_t pixels =

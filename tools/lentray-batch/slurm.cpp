@@ -8,6 +8,7 @@
 
 #include "tools/common/messages.h"
 #include "tools/common/process.h"
+#include "tools/common/shell_words.h"
 
 namespace lentray::batch {
 namespace {
@@ -59,7 +60,7 @@ std::string Slurm::submit(const std::filesystem::path& script, const std::string
                                    "--open-mode=append",
                                    "--job-name=lentray-batch",
                                    "--output=" + (logs / "task-%a.log").string()};
-  for (const std::string& word : words_of(m_options)) command.push_back(word);
+  tool::append(command, words_of(m_options));
   command.push_back(script.string());
   const std::string said = said_by(command);
   return said.substr(0, said.find_first_of(";\n"));

@@ -46,18 +46,9 @@ class Parsing {
 
  private:
   void own(const std::string& word, const std::vector<std::string>& words, std::size_t& i) {
-    if (word == "--no-pictures") {
-      m_out.write_pictures = false;
-      return;
-    }
-    if (word == "--stock-alone") {
-      m_out.stock_alone = true;
-      return;
-    }
-    if (word == "--all-lenses") {
-      m_out.all_lenses = true;
-      return;
-    }
+    if (word == "--no-pictures") return void(m_out.write_pictures = false);
+    if (word == "--stock-alone") return void(m_out.stock_alone = true);
+    if (word == "--all-lenses") return void(m_out.all_lenses = true);
     const std::size_t equals = word.find('=');
     const std::string name = word.substr(0, equals);
     const std::map<std::string, std::function<void(const std::string&)>> table{

@@ -17,6 +17,7 @@
 #include "tools/common/machine.h"
 #include "tools/common/process.h"
 #include "tools/common/sheet_facts.h"
+#include "tools/common/shell_words.h"
 #include "tools/common/tool_main.h"
 #include "tools/lentray-diff/arguments.h"
 #include "tools/lentray-diff/noise.h"
@@ -69,15 +70,13 @@ Ours render_ours(const Arguments& a) {
                  read = folder / "read.json";
   std::vector<std::string> command{
       (a.lentray.empty() ? program_beside_us("lentray") : a.lentray).string()};
-  command.insert(command.end(), a.for_lentray.begin(), a.for_lentray.end());
-  for (const std::string& word :
-       {"+I" + a.scene.string(), "+O" + picture.string(),
-        std::string(a.stock.bits == 16 ? "+FN16" : "+FN8"), std::string("-V"),
-        "+WT" + std::to_string(a.stock.processes), "Statistics_File=" + statistics.string(),
-        "Dependencies_File=" + read.string()}) {
-    command.push_back(word);
-  }
-  for (const std::string& word : words(a.stock.antialiasing)) command.push_back(word);
+  tool::append(command, a.for_lentray);
+  tool::append(
+      command,
+      {"+I" + a.scene.string(), "+O" + picture.string(), a.stock.bits == 16 ? "+FN16" : "+FN8",
+       "-V", "+WT" + std::to_string(a.stock.processes), "Statistics_File=" + statistics.string(),
+       "Dependencies_File=" + read.string()});
+  tool::append(command, words(a.stock.antialiasing));
   const auto start = std::chrono::steady_clock::now();
   const tool::RunResult result = tool::run_program(command);
   const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - start;
@@ -288,19 +287,17 @@ int render_stock_alone(const Arguments& a) {
   StockOptions stock = a.stock;
   stock.antialiasing = antialiasing_of(options);
   stock.antialiasing.angles = 1;
-  const auto start = std::chrono::steady_clock::now();
-  const StoredImage picture = stock_picture(a.scene, static_cast<std::uint32_t>(options.width),
-                                            static_cast<std::uint32_t>(options.height), stock);
-  const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - start;
+  json about{{"scene", a.scene.string()}};
+  const auto render = [&](const StockOptions& how) {
+    return stock_picture(a.scene, static_cast<std::uint32_t>(options.width),
+                         static_cast<std::uint32_t>(options.height), how);
+  };
+  const StoredImage picture = timed(render, stock, about);
   check_outputs(a);
   const fs::path place = a.prefix.string() + "-stock.png";
   core::write_stored(picture, place);
   std::cout << place.string() << std::endl;
-  if (a.json.empty()) return kReached;
-  const json all{{"scene", a.scene.string()},
-                 {"stock_wall_s", taken.count()},
-                 {"stock_cpu_s", tool::cpu_seconds_of_children()}};
-  tool::write_whole(a.json, tool::json_text(all, 2) + "\n");
+  if (!a.json.empty()) tool::write_whole(a.json, tool::json_text(about, 2) + "\n");
   return kReached;
 }
 

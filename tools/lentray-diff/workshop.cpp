@@ -5,6 +5,8 @@
 #include <sstream>
 #include <stdexcept>
 
+#include "tools/common/shell_words.h"
+
 namespace lentray::diff {
 
 namespace fs = std::filesystem;
@@ -106,18 +108,14 @@ StoredImage Workshop::render(const fs::path& folder, const fs::path& scene,
   std::vector<std::string> command{m_options.povray, "stock.ini", "+W" + std::to_string(shot.width),
                                    "+H" + std::to_string(shot.height)};
   command.emplace_back(shot.as_light ? "+FE" : m_options.bits == 16 ? "+FN16" : "+FN8");
-  command.insert(command.end(), m_options.arguments.begin(), m_options.arguments.end());
-  for (const std::string& word :
-       words(shot.antialiased ? m_options.antialiasing : Antialiasing())) {
-    command.push_back(word);
-  }
+  tool::append(command, m_options.arguments);
+  tool::append(command, words(shot.antialiased ? m_options.antialiasing : Antialiasing()));
   if (m_options.block > 0) {
     command.push_back("+BS" + std::to_string(m_options.block));
   } else if (shot.antialiased) {  // method 1 begins anew in each block
     command.push_back("+BS" + std::to_string(std::max({shot.width, shot.height, 32u})));
   }
-  command.push_back("+WT" + std::to_string(m_options.threads));
-  for (const char* fixed : {"-D", "-P", "-V"}) command.emplace_back(fixed);
+  tool::append(command, {"+WT" + std::to_string(m_options.threads), "-D", "-P", "-V"});
   for (const fs::path& earlier : made(folder)) fs::remove(earlier);
   tool::RunResult result = tool::run_program(command, folder, m_options.seconds);
   // Stock crashes now and then while it reads a scene that it can render.

@@ -29,8 +29,8 @@ std::vector<Rows> list_of(const GivenOption& given) {
 }
 
 constexpr parser::OwnOption<Arguments> kOptions[] = {
-    {"Out", [](Arguments& a, const GivenOption& g) { a.out = parser::file_name(g); }},
-    {"Rows", [](Arguments& a, const GivenOption& g) { a.rows = list_of(g); }},
+    {"Out", parser::set<&Arguments::out, parser::any_file>},
+    {"Rows", parser::set<&Arguments::rows, list_of>},
 };
 
 /// What the options can only be judged on together.

@@ -54,6 +54,10 @@ double length_within(const GivenOption& given, double least, double most) {
 
 constexpr double kLeastLpi = 1.0, kMostLpi = 1000.0;
 
+double pitch_of_lpi(const GivenOption& given) {
+  return kInch / number_within(given, kLeastLpi, kMostLpi);
+}
+
 double lens_pitch(const GivenOption& given) {
   return length_within(given, kInch / kMostLpi, kInch / kLeastLpi);
 }
@@ -70,7 +74,7 @@ double pitch_of(const GivenOption& given) {
   GivenOption lpi = given;
   lpi.value.resize(lpi.value.size() - kUnit.size());
   while (lpi.value.ends_with(' ')) lpi.value.pop_back();
-  return kInch / number_within(lpi, kLeastLpi, kMostLpi);
+  return pitch_of_lpi(lpi);
 }
 
 parser::Extent page_size(const GivenOption& given) {
@@ -101,14 +105,6 @@ Marks marks_of(const GivenOption& given) {
   if (given.value == "crop") return Marks::crop;
   if (given.value != "none") parser::refuse(given, "there are all, crop and none");
   return Marks::none;
-}
-
-/// The first of two words or the second.
-bool is_second(const GivenOption& given, std::string_view first, std::string_view second) {
-  if (given.value != first && given.value != second) {
-    parser::refuse(given, "there are " + std::string(first) + " and " + std::string(second));
-  }
-  return given.value == second;
 }
 
 struct ValueOption {
@@ -157,82 +153,55 @@ void take_copies(Arguments& a, const GivenOption& given) {
   }
 }
 
+double lpi_of(const GivenOption& given) { return number_within(given, 1e-4, kMostLpi); }
+double focal_length_of(const GivenOption& given) { return length_within(given, 1e-3, 1000.0); }
+bool are_hard(const GivenOption& given) { return parser::is_second(given, "grey", "hard"); }
+bool is_together(const GivenOption& given) { return parser::is_second(given, "apart", "together"); }
+bool is_of_picture(const GivenOption& given) { return parser::is_second(given, "edge", "picture"); }
+
+using A = Arguments;
+using parser::of_member;
+using parser::set;
+
 constexpr ValueOption kValues[] = {
-    {"Out", kAll, [](Arguments& a, const GivenOption& g) { a.out = parser::file_name(g); }},
-    {"Lpi", kAll,
-     [](Arguments& a, const GivenOption& g) {
-       a.lens.lens_pitch = kInch / number_within(g, kLeastLpi, kMostLpi);
-     }},
-    {"Lens_Pitch", kAll,
-     [](Arguments& a, const GivenOption& g) { a.lens.lens_pitch = lens_pitch(g); }},
+    {"Out", kAll, set<&A::out, parser::any_file>},
+    {"Lpi", kAll, set<of_member<&A::lens, &GivenLensData::lens_pitch>, pitch_of_lpi>},
+    {"Lens_Pitch", kAll, set<of_member<&A::lens, &GivenLensData::lens_pitch>, lens_pitch>},
     {"Dpi", kAll, take_dpi},
-    {"Size", kTests, [](Arguments& a, const GivenOption& g) { a.size = page_size(g); }},
-    {"Span", kPitch | kPhase,
-     [](Arguments& a, const GivenOption& g) { a.span = number_within(g, 1e-4, kMostLpi); }},
-    {"Step", kPitch | kPhase,
-     [](Arguments& a, const GivenOption& g) { a.step = number_within(g, 1e-4, kMostLpi); }},
-    {"Bands", kPitch | kPhase,
-     [](Arguments& a, const GivenOption& g) {
-       a.bands = static_cast<int>(parser::whole_number(g, 1, 200));
-     }},
-    {"Edges", kTests,
-     [](Arguments& a, const GivenOption& g) { a.hard_edges = is_second(g, "grey", "hard"); }},
-    {"Phases", kPhase,
-     [](Arguments& a, const GivenOption& g) {
-       a.phases = static_cast<int>(parser::whole_number(g, 2, 64));
-     }},
-    {"Distance", kEye,
-     [](Arguments& a, const GivenOption& g) { a.distance = length_within(g, 10.0, 1e5); }},
-    {"Eyes", kEye,
-     [](Arguments& a, const GivenOption& g) { a.separation = length_within(g, 1.0, 1000.0); }},
-    {"Focal_Length", kEye,
-     [](Arguments& a, const GivenOption& g) { a.focal_length = length_within(g, 1e-3, 1000.0); }},
-    {"Ior", kEye, [](Arguments& a, const GivenOption& g) { a.ior = number_within(g, 1.0, 4.0); }},
-    {"Pixels", kSheet,
-     [](Arguments& a, const GivenOption& g) { a.lens.pixels = number_within(g, 1.0, 1e5); }},
+    {"Size", kTests, set<&A::size, page_size>},
+    {"Span", kPitch | kPhase, set<&A::span, lpi_of>},
+    {"Step", kPitch | kPhase, set<&A::step, lpi_of>},
+    {"Bands", kPitch | kPhase, set<&A::bands, parser::whole_number, 1, 200>},
+    {"Edges", kTests, set<&A::hard_edges, are_hard>},
+    {"Phases", kPhase, set<&A::phases, parser::whole_number, 2, 64>},
+    {"Distance", kEye, set<&A::distance, length_within, 10, 100000>},
+    {"Eyes", kEye, set<&A::separation, length_within, 1, 1000>},
+    {"Focal_Length", kEye, set<&A::focal_length, focal_length_of>},
+    {"Ior", kEye, set<&A::ior, number_within, 1, 4>},
+    {"Pixels", kSheet, set<of_member<&A::lens, &GivenLensData::pixels>, number_within, 1, 100000>},
     {"Dpi_Y", kAll,
      [](Arguments& a, const GivenOption& g) {
        a.lens.dpi_y = dpi_of(g);
        a.has_dpi_y = true;
      }},
     {"Copies", kSheet, take_copies},
-    {"Grid", kSheet, [](Arguments& a, const GivenOption& g) { a.grid = grid_of(g); }},
-    {"Gap", kSheet,
-     [](Arguments& a, const GivenOption& g) { a.style.gap = length_within(g, 0.0, 1000.0); }},
-    {"Seen", kSheet,
-     [](Arguments& a, const GivenOption& g) {
-       a.style.is_seen_together = is_second(g, "apart", "together");
-     }},
-    {"Paper", kSheet,
-     [](Arguments& a, const GivenOption& g) {
-       a.style.paper = page_size(g);
-       a.paper = g.value;
-     }},
-    {"Margin", kSheet,
-     [](Arguments& a, const GivenOption& g) { a.margin = length_within(g, 0.0, 1000.0); }},
-    {"Bleed", kSheet,
-     [](Arguments& a, const GivenOption& g) { a.style.bleed = length_within(g, 0.0, 200.0); }},
-    {"Bleed_From", kSheet,
-     [](Arguments& a, const GivenOption& g) {
-       a.style.bleed_of_picture = is_second(g, "edge", "picture");
-     }},
-    {"Marks", kSheet, [](Arguments& a, const GivenOption& g) { a.style.marks = marks_of(g); }},
-    {"Background", kSheet,
-     [](Arguments& a, const GivenOption& g) { a.style.background = colour_of(g); }},
-    {"Overlap", kSheet,
-     [](Arguments& a, const GivenOption& g) { a.overlap = length_within(g, 0.0, 1000.0); }},
-    {"Pitch", kSheet, [](Arguments& a, const GivenOption& g) { a.print_pitch = pitch_of(g); }},
+    {"Grid", kSheet, set<&A::grid, grid_of>},
+    {"Gap", kSheet, set<of_member<&A::style, &SheetStyle::gap>, length_within, 0, 1000>},
+    {"Seen", kSheet, set<of_member<&A::style, &SheetStyle::is_seen_together>, is_together>},
+    {"Paper", kSheet, set<of_member<&A::style, &SheetStyle::paper>, page_size>},
+    {"Margin", kSheet, set<&A::margin, length_within, 0, 1000>},
+    {"Bleed", kSheet, set<of_member<&A::style, &SheetStyle::bleed>, length_within, 0, 200>},
+    {"Bleed_From", kSheet, set<of_member<&A::style, &SheetStyle::bleed_of_picture>, is_of_picture>},
+    {"Marks", kSheet, set<of_member<&A::style, &SheetStyle::marks>, marks_of>},
+    {"Background", kSheet, set<of_member<&A::style, &SheetStyle::background>, colour_of>},
+    {"Overlap", kSheet, set<&A::overlap, length_within, 0, 1000>},
+    {"Pitch", kSheet, set<&A::print_pitch, pitch_of>},
     {"Bits", kSheet,
      [](Arguments& a, const GivenOption& g) {
        a.bits = static_cast<int>(parser::whole_number(g, 8, 16));
        if (a.bits != 8 && a.bits != 16) parser::refuse(g, "there are 8 and 16");
      }},
-    {"Profile", kSheet,
-     [](Arguments& a, const GivenOption& g) {
-       const auto profiles = tool::profiles_named(g.value);
-       if (!profiles) parser::refuse(g, tool::kProfilesExpected);
-       a.profiles = *profiles;
-     }},
+    {"Profile", kSheet, set<&A::profiles, tool::profiles_in>},
 };
 
 struct Switch {

@@ -38,7 +38,6 @@ struct Arguments {
 
   // Of sheets.
   SheetStyle style;
-  std::string paper;             ///< as the user wrote it
   std::optional<double> margin;  ///< without it, the style's
   bool tiles = false;
   double overlap = 10.0;

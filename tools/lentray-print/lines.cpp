@@ -4,8 +4,6 @@
 #include <cmath>
 #include <utility>
 
-#include "core/image/orientation.h"
-
 namespace lentray::print {
 namespace {
 
@@ -50,16 +48,6 @@ Picture grating(const Grating& grating, std::int64_t row, std::uint32_t rows, co
   std::vector<std::uint8_t>& samples = image.samples.store<std::uint8_t>(0);
   samples.reserve(line.size() * rows);
   for (std::uint32_t i = 0; i < rows; ++i) samples.insert(samples.end(), line.begin(), line.end());
-  return picture;
-}
-
-Picture standing_grating(const Grating& lying, std::int64_t column, std::uint32_t columns,
-                         const Page& page) {
-  Picture picture = grating(lying, 0, columns, page);
-  picture.row = picture.column;
-  picture.column = column;
-  // A quarter turn clockwise sends what was left up; the lines are all alike, so no other turn is needed.
-  picture.image = core::upright(std::move(picture.image), core::kTurned);
   return picture;
 }
 

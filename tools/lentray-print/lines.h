@@ -30,8 +30,5 @@ struct Grating {
 /// A picture of the pixels that the grating touches, `rows` high, its upper left pixel at (floor(left), row). Grey of
 /// 8 bits; in colour where ink and background are not black and white.
 Picture grating(const Grating& grating, std::int64_t row, std::uint32_t rows, const Page& page);
-/// The same with lines that run from left to right; left and right are then top and bottom.
-Picture standing_grating(const Grating& grating, std::int64_t column, std::uint32_t columns,
-                         const Page& page);
 
 }  // namespace lentray::print

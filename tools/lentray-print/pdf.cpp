@@ -14,15 +14,14 @@
 #include "core/image/file_swap.h"
 #include "core/image/writer.h"
 #include "tools/common/version.h"
+#include "tools/lentray-print/report_text.h"
 
 namespace lentray::print {
 namespace {
 
 /// With six digits behind the point: a fraction of a micrometre in points, and no exponents, which PDF has not.
 std::string number(double value) {
-  std::string out = core::formed("%.6f", value);
-  out.erase(out.find_last_not_of('0') + 1);
-  if (out.back() == '.') out.pop_back();
+  const std::string out = short_number(value, 6);
   return out == "-0" ? "0" : out;
 }
 

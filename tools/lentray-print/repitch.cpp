@@ -131,7 +131,8 @@ std::string render_options(const LensData& data, double print_pitch, double lens
       "Lens_Focal_Length=%.15g Lens_IOR=%.15g Lens_Model=%s View_Distance=",
       std::llround(lenses * pixels), height, pitch, pixels, lens.focal_length, lens.ior,
       lens.model.c_str());
-  return out + (lens.view_distance > 0.0 ? core::formed("%.15g", lens.view_distance) : "inf");
+  if (!(lens.view_distance > 0.0)) return out + "inf";
+  return out + core::formed("%.15g", lens.view_distance);
 }
 
 }  // namespace lentray::print

@@ -4,8 +4,8 @@
 
 namespace lentray::print {
 
-std::string short_number(double value) {
-  std::string out = core::formed("%.3f", value);
+std::string short_number(double value, int decimals) {
+  std::string out = core::formed("%.*f", decimals, value);
   out.erase(out.find_last_not_of('0') + 1);
   if (out.back() == '.') out.pop_back();
   return out;

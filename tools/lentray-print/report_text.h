@@ -5,8 +5,8 @@
 
 namespace lentray::print {
 
-/// With three decimals at most.
-std::string short_number(double value);
+/// With so many decimals at most.
+std::string short_number(double value, int decimals = 3);
 /// "25.4 x 12.7 mm"
 std::string size_text(double width, double height);
 

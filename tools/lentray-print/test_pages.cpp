@@ -121,6 +121,16 @@ void check_lines(double lpi, double dpi) {
                   " dpi: a line and its gap need 2 pixels at least");
 }
 
+/// The widest label of gratings that can be printed.
+double checked_label_width(const std::vector<double>& lpis, int decimals, double dpi) {
+  double label = 0.0;
+  for (const double lpi : lpis) {
+    check_lines(lpi, dpi);
+    label = std::max(label, text_width(with_decimals(lpi, decimals), kLabel));
+  }
+  return label;
+}
+
 Page test_page(const TestPaper& paper, const std::string& title) {
   constexpr double kLeast = 60.0;
   if (paper.width < kLeast || paper.height < 40.0) {
@@ -160,11 +170,8 @@ Page pitch_test(const TestPaper& paper, std::vector<double> lpis) {
       with_decimals(lpis.front(), decimals) + " to " + with_decimals(lpis.back(), decimals);
   Page page =
       test_page(paper, "Pitch test " + range + " lpi, " + dpi_text(paper.dpi, paper.dpi_down()));
-  double label = text_width("lpi", kLabel);
-  for (const double lpi : lpis) {
-    check_lines(lpi, paper.dpi);
-    label = std::max(label, text_width(with_decimals(lpi, decimals), kLabel));
-  }
+  const double label =
+      std::max(text_width("lpi", kLabel), checked_label_width(lpis, decimals, paper.dpi));
   const double length = page.width - 2.0 * (kEdge + label + 2.0);
   const Field field = add_frame(
       page,
@@ -197,11 +204,7 @@ Page phase_test(const TestPaper& paper, std::vector<double> lpis, int phases) {
   Page page =
       test_page(paper, "Phase test about " + with_decimals(lpis[lpis.size() / 2], decimals) +
                            " lpi, " + dpi_text(paper.dpi, paper.dpi_down()));
-  double label = 0.0;
-  for (const double lpi : lpis) {
-    check_lines(lpi, paper.dpi);
-    label = std::max(label, text_width(with_decimals(lpi, decimals), kLabel));
-  }
+  const double label = checked_label_width(lpis, decimals, paper.dpi);
   Field field = add_frame(
       page,
       "Print at 100 % and check the rulers. Lay the lens sheet on, its lenses along the lines, an "

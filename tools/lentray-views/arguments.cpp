@@ -1,9 +1,11 @@
 #include "tools/lentray-views/arguments.h"
 
+#include <algorithm>
 #include <array>
 #include <charconv>
 #include <cmath>
 #include <string_view>
+#include <utility>
 
 #include "camera/lens_sheet.h"
 #include "camera/slanted_sheet.h"
@@ -37,38 +39,39 @@ std::optional<std::array<std::uint32_t, 2>> two_numbers(std::string_view text,
   return out;
 }
 
-void set_range(Arguments& a, const GivenOption& given) {
+Range range_in(const GivenOption& given) {
   const auto ends = two_numbers(given.value, "..");
   if (!ends || (*ends)[1] < (*ends)[0]) {
     parser::refuse(given, "a first and a last view are expected, such as 0..14");
   }
-  a.range = Range{(*ends)[0], (*ends)[1]};
+  return {(*ends)[0], (*ends)[1]};
 }
 
-void set_pair(Arguments& a, const GivenOption& given) {
+Range pair_in(const GivenOption& given) {
   const auto both = two_numbers(given.value, ",");
   if (!both) parser::refuse(given, "the left and the right eye's view are expected, such as 9,5");
-  a.pair = Range{(*both)[0], (*both)[1]};
+  return {(*both)[0], (*both)[1]};
 }
 
-Size size_in(const GivenOption& given) {
+Size sides_in(const GivenOption& given, std::uint32_t most, const char* expected) {
   const auto both = two_numbers(given.value, "x");
-  if (!both || (*both)[0] == 0 || (*both)[1] == 0) {
-    parser::refuse(given, "a size such as 420x560 is expected");
+  if (!both || std::ranges::min(*both) == 0 || std::ranges::max(*both) > most) {
+    parser::refuse(given, expected);
   }
   return {(*both)[0], (*both)[1]};
 }
 
-void set_quilt(Arguments& a, const GivenOption& given) {
-  const auto both = two_numbers(given.value, "x");
-  if (!both || (*both)[0] == 0 || (*both)[1] == 0 || (*both)[0] > 1000 || (*both)[1] > 1000) {
-    parser::refuse(given, "columns x rows of views are expected, such as 8x6");
-  }
-  a.columns = (*both)[0];
-  a.rows = (*both)[1];
+Size size_in(const GivenOption& given) {
+  return sides_in(given, 1'000'000, "a size such as 420x560 is expected");
 }
 
-void set_eye(Arguments& a, const GivenOption& given) {
+void set_quilt(Arguments& a, const GivenOption& given) {
+  const Size grid = sides_in(given, 1000, "columns x rows of views are expected, such as 8x6");
+  a.columns = grid.width;
+  a.rows = grid.height;
+}
+
+Eye eye_in(const GivenOption& given) {
   const std::size_t comma = given.value.find(',');
   const auto part = [&](std::string text) {
     return parser::number(parser::part_of(given, std::move(text)));
@@ -82,232 +85,206 @@ void set_eye(Arguments& a, const GivenOption& given) {
   if (comma != std::string::npos && !(eye.distance > 0.0)) {
     parser::refuse(given, "the eye's distance must be greater than 0 mm");
   }
-  a.eye = eye;
+  return eye;
 }
 
-void set_filter(Arguments& a, const GivenOption& given) {
+Filter filter_in(const GivenOption& given) {
   const auto filter = filter_named(given.value);
   if (!filter) parser::refuse(given, "there are " + std::string(kFilterNames));
-  a.filter = *filter;
+  return *filter;
 }
 
-void set_model(Arguments& a, const GivenOption& given) {
-  for (const auto model :
-       {camera::LensModel::kParaxial, camera::LensModel::kPinhole, camera::LensModel::kThick}) {
-    if (given.value == camera::name_of(model)) a.sheet.model = model;
-  }
-  if (!a.sheet.model) parser::refuse(given, "there are paraxial, pinhole and thick");
+camera::LensModel lens_model_in(const GivenOption& given) {
+  const auto model = camera::model_named(given.value);
+  if (!model) parser::refuse(given, "there are paraxial, pinhole and thick");
+  return *model;
 }
 
-void set_distance(Arguments& a, const GivenOption& given) {
-  a.sheet.view_distance = given.value == "inf" ? 0.0 : parser::number(given);
-  if (*a.sheet.view_distance < 0.0) parser::refuse(given, "a distance of 0 or more is expected");
+double distance_in(const GivenOption& given) {
+  const double distance = given.value == "inf" ? 0.0 : parser::number(given);
+  if (distance < 0.0) parser::refuse(given, "a distance of 0 or more is expected");
+  return distance;
 }
 
-void set_slant(Arguments& a, const GivenOption& given) {
-  a.sheet.slant = camera::tangent_of_slant(given.value);
-  if (!a.sheet.slant) parser::refuse(given, camera::kSlantExpected);
+double slant_in(const GivenOption& given) {
+  const auto slant = camera::tangent_of_slant(given.value);
+  if (!slant) parser::refuse(given, camera::kSlantExpected);
+  return *slant;
 }
 
-void set_delay(Arguments& a, const GivenOption& given) {
-  a.delay = static_cast<int>(parser::whole_number(given, 10, kLongestDelay));
+double pixels_in(const GivenOption& given) {
+  const double pixels = parser::number(given);
+  if (pixels < 1.0) parser::refuse(given, "at least one pixel a lens is expected");
+  return pixels;
 }
 
-void set_pixels(Arguments& a, const GivenOption& given) {
-  a.sheet.pixels = parser::number(given);
-  if (*a.sheet.pixels < 1.0) parser::refuse(given, "at least one pixel a lens is expected");
+bool is_given_order(const GivenOption& given) {
+  return parser::is_second(given, "natural", "given");
 }
 
-void set_profiles(Arguments& a, const GivenOption& given) {
-  const auto profiles = tool::profiles_named(given.value);
-  if (!profiles) parser::refuse(given, tool::kProfilesExpected);
-  a.profiles = *profiles;
-}
+/// What the words say, and which of them chose the task.
+struct Words : Arguments {
+  std::string task_word{};
+  bool some_views = false;
 
-void set_order(Arguments& a, const GivenOption& given) {
-  a.given_order = given.value == "given";
-  if (!a.given_order && given.value != "natural") {
-    parser::refuse(given, "there are natural and given");
+  void choose(Task chosen, const std::string& name) {
+    if (!task_word.empty() && task_word != name) {
+      throw OptionError(task_word + " and " + name + " are two tasks: give one of them");
+    }
+    task_word = name;
+    task = chosen;
   }
-}
-
-/// Reads the command line word by word.
-class Reader {
- public:
-  Arguments read(const std::vector<std::string>& words) {
-    for (std::size_t i = 0; i < words.size(); ++i) {
-      if (flag(words[i]) || value(words, i)) continue;
-      if (words[i].starts_with("-")) {
-        throw OptionError("unknown option '" + words[i].substr(0, words[i].find('=')) +
-                          "'; lentray-views --help lists all options");
-      } else {
-        m_out.pictures.emplace_back(words[i]);
-      }
-    }
-    check();
-    return m_out;
-  }
-
- private:
-  bool value(const std::vector<std::string>& words, std::size_t& at) {
-    static constexpr parser::OwnOption<Reader> kOptions[] = {
-        {"View",
-         [](Reader& r, const GivenOption& g) {
-           r.choose(Task::kViews, "--view");
-           const std::uint32_t view = whole(g, 0);
-           r.m_out.range = Range{view, view};
-         }},
-        {"Views",
-         [](Reader& r, const GivenOption& g) {
-           set_range(r.m_out, g);
-           r.m_some_views = true;
-         }},
-        {"Lens",
-         [](Reader& r, const GivenOption& g) {
-           r.choose(Task::kLens, "--lens");
-           r.m_out.lens = whole(g, 0);
-         }},
-        {"Quilt",
-         [](Reader& r, const GivenOption& g) {
-           r.choose(Task::kQuilt, "--quilt");
-           set_quilt(r.m_out, g);
-         }},
-        {"Eye", [](Reader& r, const GivenOption& g) { set_eye(r.m_out, g); }},
-        {"Eyes", [](Reader& r, const GivenOption& g) { r.m_out.eyes = parser::positive(g); }},
-        {"Pair", [](Reader& r, const GivenOption& g) { set_pair(r.m_out, g); }},
-        {"Wiggle",
-         [](Reader& r, const GivenOption& g) {
-           r.choose(Task::kWiggle, "--wiggle");
-           r.m_out.out = parser::file_name(g);
-         }},
-        {"Delay", [](Reader& r, const GivenOption& g) { set_delay(r.m_out, g); }},
-        {"Out", [](Reader& r, const GivenOption& g) { r.m_out.out = parser::file_name(g); }},
-        {"Count", [](Reader& r, const GivenOption& g) { r.m_out.count = whole(g, 1); }},
-        {"Size", [](Reader& r, const GivenOption& g) { r.m_out.size = size_in(g); }},
-        {"Filter", [](Reader& r, const GivenOption& g) { set_filter(r.m_out, g); }},
-        {"Like", [](Reader& r, const GivenOption& g) { r.m_out.like = parser::file_name(g); }},
-        {"Aspect",
-         [](Reader& r, const GivenOption& g) { r.m_out.sheet.aspect = parser::positive(g); }},
-        {"Lens_Pixels", [](Reader& r, const GivenOption& g) { set_pixels(r.m_out, g); }},
-        {"Lens_Pitch",
-         [](Reader& r, const GivenOption& g) { r.m_out.sheet.pitch = parser::positive(g); }},
-        {"Lens_Focal_Length",
-         [](Reader& r, const GivenOption& g) { r.m_out.sheet.focal_length = parser::positive(g); }},
-        {"Lens_IOR",
-         [](Reader& r, const GivenOption& g) { r.m_out.sheet.ior = parser::positive(g); }},
-        {"Lens_Model", [](Reader& r, const GivenOption& g) { set_model(r.m_out, g); }},
-        {"View_Distance", [](Reader& r, const GivenOption& g) { set_distance(r.m_out, g); }},
-        {"Lens_Slant", [](Reader& r, const GivenOption& g) { set_slant(r.m_out, g); }},
-        {"Preview",
-         [](Reader& r, const GivenOption& g) {
-           r.choose(Task::kPreview, "--preview");
-           r.m_out.out = parser::file_name(g);
-         }},
-        {"Page_Limit",
-         [](Reader& r, const GivenOption& g) { r.m_out.page_limit = parser::positive(g); }},
-        {"Profile", [](Reader& r, const GivenOption& g) { set_profiles(r.m_out, g); }},
-        {"Order", [](Reader& r, const GivenOption& g) { set_order(r.m_out, g); }},
-    };
-    return parser::take_own_option(words, at, kOptions, *this);
-  }
-
-  bool flag(const std::string& word) {
-    if (word == "--all") {
-      choose(Task::kViews, "--all");
-    } else if (word == "--stereo") {
-      choose(Task::kStereo, "--stereo");
-    } else if (word == "--interlace") {
-      choose(Task::kInterlace, "--interlace");
-    } else if (word == "--between") {
-      m_out.between = true;
-    } else if (word == "--one-zone") {
-      m_out.one_zone = true;
-    } else if (word == "--from-left") {
-      m_out.from_left = true;
-    } else if (word == "--square") {
-      m_out.square = true;
-    } else if (word.starts_with("--anaglyph")) {
-      return anaglyph_flag(word);
-    } else {
-      return false;
-    }
-    return true;
-  }
-
-  bool anaglyph_flag(const std::string& word) {
-    choose(Task::kAnaglyph, "--anaglyph");
-    if (word == "--anaglyph" || word == "--anaglyph=dubois") return true;
-    if (word != "--anaglyph=plain") {
-      throw OptionError("'" + word + "': there are --anaglyph=dubois and --anaglyph=plain");
-    }
-    m_out.anaglyph = Anaglyph::kPlain;
-    return true;
-  }
-
-  void choose(Task task, const std::string& name) {
-    if (!m_task.empty() && m_task != name) {
-      throw OptionError(m_task + " and " + name + " are two tasks: give one of them");
-    }
-    m_task = name;
-    m_out.task = task;
-  }
-
-  /// What the options can only be judged on together.
-  void check() {
-    Arguments& a = m_out;
-    if (a.pictures.empty()) {
-      throw OptionError("no picture is given; lentray-views --help lists all options");
-    }
-    if (m_some_views && a.task == Task::kDescribe) a.task = Task::kViews;
-    if (m_some_views && (m_task == "--view" || m_task == "--all")) {
-      throw OptionError("--views and " + m_task + " contradict each other: give one of them");
-    }
-    if (m_some_views && a.task != Task::kViews && a.task != Task::kWiggle) {
-      throw OptionError("--views does not go with " + m_task);
-    }
-    if (a.eye && a.task == Task::kDescribe) a.task = Task::kEye;
-    const bool has_eyes = a.task == Task::kStereo || a.task == Task::kAnaglyph;
-    if (a.eye && !has_eyes && a.task != Task::kEye && a.task != Task::kPreview) {
-      throw OptionError("--eye does not go with " + m_task);
-    }
-    if (a.pair && !has_eyes) throw OptionError("--pair is of --stereo and --anaglyph");
-    if (a.one_zone && (!has_eyes || a.pair)) {
-      throw OptionError("--one-zone is of --stereo and --anaglyph, of eyes before a sheet");
-    }
-    if (a.pair && a.eye) throw OptionError("--pair and --eye contradict each other");
-    if (a.square && a.size) throw OptionError("--square and --size contradict each other");
-    const bool is_for_screens = a.task == Task::kWiggle || a.task == Task::kPreview;
-    if (a.profiles == tool::Profiles::kKeep && is_for_screens) {
-      throw OptionError("--profile keep does not go with " + m_task + ", which has sRGB alone");
-    }
-    check_interlace();
-  }
-
-  void check_interlace() const {
-    const Arguments& a = m_out;
-    const bool one = a.task == Task::kViews || a.task == Task::kLens || a.task == Task::kEye ||
-                     a.task == Task::kDescribe || a.task == Task::kPreview;
-    if (one && a.pictures.size() > 1) {
-      throw OptionError("'" + a.pictures[1].string() + "': one integral image is expected");
-    }
-    if (a.task != Task::kInterlace) {
-      if (!a.like.empty()) throw OptionError("--like is of --interlace");
-      return;
-    }
-    if (a.pictures.size() < 2) throw OptionError("--interlace wants two pictures or more");
-    if (a.like.empty() && !a.sheet.pixels) {
-      throw OptionError("--interlace wants --like IMAGE, or --lens-pixels N");
-    }
-    if (a.square) throw OptionError("--square is of views, not of --interlace");
-  }
-
-  Arguments m_out;
-  std::string m_task;
-  bool m_some_views = false;
 };
+
+using parser::set;
+template <auto Member>
+constexpr auto of_sheet = parser::of_member<&Words::sheet, Member>;
+
+constexpr parser::OwnOption<Words> kOptions[] = {
+    {"View",
+     [](Words& w, const GivenOption& g) {
+       w.choose(Task::kViews, "--view");
+       const std::uint32_t view = whole(g, 0);
+       w.range = Range{view, view};
+     }},
+    {"Views",
+     [](Words& w, const GivenOption& g) {
+       w.range = range_in(g);
+       w.some_views = true;
+     }},
+    {"Lens",
+     [](Words& w, const GivenOption& g) {
+       w.choose(Task::kLens, "--lens");
+       w.lens = whole(g, 0);
+     }},
+    {"Quilt",
+     [](Words& w, const GivenOption& g) {
+       w.choose(Task::kQuilt, "--quilt");
+       set_quilt(w, g);
+     }},
+    {"Eye", set<&Words::eye, eye_in>},
+    {"Eyes", set<&Words::eyes, parser::positive>},
+    {"Pair", set<&Words::pair, pair_in>},
+    {"Wiggle",
+     [](Words& w, const GivenOption& g) {
+       w.choose(Task::kWiggle, "--wiggle");
+       w.out = parser::file_name(g);
+     }},
+    {"Delay", set<&Words::delay, parser::whole_number, 10, kLongestDelay>},
+    {"Out", set<&Words::out, parser::any_file>},
+    {"Count", set<&Words::count, whole, 1u>},
+    {"Size", set<&Words::size, size_in>},
+    {"Filter", set<&Words::filter, filter_in>},
+    {"Like", set<&Words::like, parser::any_file>},
+    {"Aspect", set<of_sheet<&SheetOptions::aspect>, parser::positive>},
+    {"Lens_Pixels", set<of_sheet<&SheetOptions::pixels>, pixels_in>},
+    {"Lens_Pitch", set<of_sheet<&SheetOptions::pitch>, parser::positive>},
+    {"Lens_Focal_Length", set<of_sheet<&SheetOptions::focal_length>, parser::positive>},
+    {"Lens_IOR", set<of_sheet<&SheetOptions::ior>, parser::positive>},
+    {"Lens_Model", set<of_sheet<&SheetOptions::model>, lens_model_in>},
+    {"View_Distance", set<of_sheet<&SheetOptions::view_distance>, distance_in>},
+    {"Lens_Slant", set<of_sheet<&SheetOptions::slant>, slant_in>},
+    {"Preview",
+     [](Words& w, const GivenOption& g) {
+       w.choose(Task::kPreview, "--preview");
+       w.out = parser::file_name(g);
+     }},
+    {"Page_Limit", set<&Words::page_limit, parser::positive>},
+    {"Profile", set<&Words::profiles, tool::profiles_in>},
+    {"Order", set<&Words::given_order, is_given_order>},
+};
+
+constexpr std::pair<std::string_view, Task> kTasks[] = {
+    {"--all", Task::kViews}, {"--stereo", Task::kStereo}, {"--interlace", Task::kInterlace}};
+constexpr std::pair<std::string_view, bool Arguments::*> kFlags[] = {
+    {"--between", &Arguments::between},
+    {"--one-zone", &Arguments::one_zone},
+    {"--from-left", &Arguments::from_left},
+    {"--square", &Arguments::square}};
+
+bool take_anaglyph(Words& w, const std::string& word) {
+  w.choose(Task::kAnaglyph, "--anaglyph");
+  if (word == "--anaglyph" || word == "--anaglyph=dubois") return true;
+  if (word != "--anaglyph=plain") {
+    throw OptionError("'" + word + "': there are --anaglyph=dubois and --anaglyph=plain");
+  }
+  w.anaglyph = Anaglyph::kPlain;
+  return true;
+}
+
+bool take_flag(Words& w, const std::string& word) {
+  for (const auto& [name, task] : kTasks) {
+    if (word != name) continue;
+    w.choose(task, word);
+    return true;
+  }
+  for (const auto& [name, member] : kFlags) {
+    if (word == name) return w.*member = true;
+  }
+  return word.starts_with("--anaglyph") && take_anaglyph(w, word);
+}
+
+void check_interlace(const Arguments& a) {
+  const bool one = a.task == Task::kViews || a.task == Task::kLens || a.task == Task::kEye ||
+                   a.task == Task::kDescribe || a.task == Task::kPreview;
+  if (one && a.pictures.size() > 1) {
+    throw OptionError("'" + a.pictures[1].string() + "': one integral image is expected");
+  }
+  if (a.task != Task::kInterlace) {
+    if (!a.like.empty()) throw OptionError("--like is of --interlace");
+    return;
+  }
+  if (a.pictures.size() < 2) throw OptionError("--interlace wants two pictures or more");
+  if (a.like.empty() && !a.sheet.pixels) {
+    throw OptionError("--interlace wants --like IMAGE, or --lens-pixels N");
+  }
+  if (a.square) throw OptionError("--square is of views, not of --interlace");
+}
+
+/// What the options can only be judged on together.
+void check(Words& a) {
+  if (a.pictures.empty()) {
+    throw OptionError("no picture is given; lentray-views --help lists all options");
+  }
+  if (a.some_views && a.task == Task::kDescribe) a.task = Task::kViews;
+  if (a.some_views && (a.task_word == "--view" || a.task_word == "--all")) {
+    throw OptionError("--views and " + a.task_word + " contradict each other: give one of them");
+  }
+  if (a.some_views && a.task != Task::kViews && a.task != Task::kWiggle) {
+    throw OptionError("--views does not go with " + a.task_word);
+  }
+  if (a.eye && a.task == Task::kDescribe) a.task = Task::kEye;
+  const bool has_eyes = a.task == Task::kStereo || a.task == Task::kAnaglyph;
+  if (a.eye && !has_eyes && a.task != Task::kEye && a.task != Task::kPreview) {
+    throw OptionError("--eye does not go with " + a.task_word);
+  }
+  if (a.pair && !has_eyes) throw OptionError("--pair is of --stereo and --anaglyph");
+  if (a.one_zone && (!has_eyes || a.pair)) {
+    throw OptionError("--one-zone is of --stereo and --anaglyph, of eyes before a sheet");
+  }
+  if (a.pair && a.eye) throw OptionError("--pair and --eye contradict each other");
+  if (a.square && a.size) throw OptionError("--square and --size contradict each other");
+  const bool is_for_screens = a.task == Task::kWiggle || a.task == Task::kPreview;
+  if (a.profiles == tool::Profiles::kKeep && is_for_screens) {
+    throw OptionError("--profile keep does not go with " + a.task_word + ", which has sRGB alone");
+  }
+  check_interlace(a);
+}
 
 }  // namespace
 
-Arguments parse_arguments(const std::vector<std::string>& words) { return Reader().read(words); }
+Arguments parse_arguments(const std::vector<std::string>& words) {
+  Words out;
+  for (std::size_t i = 0; i < words.size(); ++i) {
+    if (take_flag(out, words[i]) || parser::take_own_option(words, i, kOptions, out)) continue;
+    if (words[i].starts_with("-")) {
+      throw OptionError("unknown option '" + words[i].substr(0, words[i].find('=')) +
+                        "'; lentray-views --help lists all options");
+    }
+    out.pictures.emplace_back(words[i]);
+  }
+  check(out);
+  return out;
+}
 
 }  // namespace lentray::views

@@ -4,8 +4,8 @@
 #include <array>
 #include <cstdint>
 #include <limits>
-#include <memory>
 
+#include "core/base/owned.h"
 #include "core/image/writer.h"
 #include "tools/lentray-views/moving.h"
 #include "tools/lentray-views/picture.h"
@@ -153,12 +153,7 @@ int append(GifFileType* gif, const GifByteType* bytes, int size) {
   return size;
 }
 
-struct CloseGif {
-  void operator()(GifFileType* gif) const { EGifCloseFile(gif, nullptr); }
-};
-struct FreeMap {
-  void operator()(ColorMapObject* map) const { GifFreeMapObject(map); }
-};
+void close_gif(GifFileType* gif) { EGifCloseFile(gif, nullptr); }
 
 void gif_check(int result) {
   if (result != GIF_OK) throw core::ImageError("a frame of the GIF could not be packed");
@@ -189,8 +184,9 @@ std::string gif_of(const std::vector<StoredImage>& images, int delay) {
     entries[i] = {c[0], c[1], c[2]};
   }
   std::string out;
-  const std::unique_ptr<ColorMapObject, FreeMap> map(GifMakeMapObject(kColours, entries.data()));
-  std::unique_ptr<GifFileType, CloseGif> gif(EGifOpen(&out, append, nullptr));
+  const core::Owned<ColorMapObject, GifFreeMapObject> map(
+      GifMakeMapObject(kColours, entries.data()));
+  core::Owned<GifFileType, close_gif> gif(EGifOpen(&out, append, nullptr));
   if (!map || !gif) throw core::ImageError("there is not enough memory for the GIF");
   EGifSetGifVersion(gif.get(), true);
   gif_check(EGifPutScreenDesc(gif.get(), width, height, 8, 0, map.get()));

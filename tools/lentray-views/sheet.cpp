@@ -28,11 +28,7 @@ bool take(const std::optional<double>& said, const Facts& facts, const char* nam
 
 std::optional<LensModel> model_in(const Facts& facts) {
   const auto found = facts.find("lens.model");
-  if (found == facts.end()) return std::nullopt;
-  for (const auto model : {LensModel::kParaxial, LensModel::kPinhole, LensModel::kThick}) {
-    if (found->second == camera::name_of(model)) return model;
-  }
-  return std::nullopt;
+  return found == facts.end() ? std::nullopt : camera::model_named(found->second);
 }
 
 /// Horizontal slope of the line from the eye to the sheet's middle: the first of three numbers.

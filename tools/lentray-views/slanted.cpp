@@ -16,10 +16,7 @@ using core::StoredImage;
 
 StoredImage slanted_view(const StoredImage& integral, const SlantedSheet& sheet,
                          std::uint32_t width, std::uint32_t view, std::uint32_t count) {
-  if (view >= count) {
-    throw core::ImageError("there is no view " + std::to_string(view) + ": the views are 0 to " +
-                           std::to_string(count - 1));
-  }
+  if (view >= count) refuse_view(view, count);
   return seen_at(integral, width, false, [&](std::uint32_t i, std::uint32_t row) {
     return static_cast<double>(sheet.view_column(view, count, i, static_cast<std::int32_t>(row)));
   });

@@ -17,12 +17,6 @@ using core::StoredImage;
 
 constexpr double kArmsLength = 400.0;  // mm: of two eyes before a sheet for infinitely distant ones
 
-void check_view(std::uint32_t view, std::uint32_t count) {
-  if (view < count) return;
-  throw ImageError("there is no view " + std::to_string(view) + ": the views are 0 to " +
-                   std::to_string(count - 1));
-}
-
 class IntegralSource final : public Source {
  public:
   IntegralSource(const Arguments& arguments, std::uint32_t count, tool::PhotoReader& reader)
@@ -91,7 +85,7 @@ class PictureSource final : public Source {
   }
   std::uint32_t count() const override { return static_cast<std::uint32_t>(m_paths.size()); }
   StoredImage view(std::uint32_t view) const override {
-    check_view(view, count());
+    if (view >= count()) refuse_view(view, count());
     StoredImage image = m_reader.read(m_paths[view]);
     if (!m_arguments.size) return image;
     return resized(image, m_arguments.size->width, m_arguments.size->height, m_arguments.filter);

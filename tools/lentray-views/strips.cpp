@@ -13,6 +13,11 @@
 namespace lentray::views {
 using core::StoredImage;
 
+void refuse_view(std::uint32_t view, std::uint32_t count) {
+  throw core::ImageError("there is no view " + std::to_string(view) + ": the views are 0 to " +
+                         std::to_string(count - 1));
+}
+
 std::vector<double> places_seen(const camera::LensSheet& sheet, const Eye& eye) {
   const camera::LensParameters& lens = sheet.lens();
   const double tangent = std::tan(eye.angle * std::numbers::pi / 180.0);
@@ -29,10 +34,7 @@ std::vector<double> places_seen(const camera::LensSheet& sheet, const Eye& eye) 
 StoredImage view_of(const StoredImage& integral, const camera::LensSheet& sheet, std::uint32_t view,
                     std::uint32_t count) {
   const std::uint32_t width = view < count ? camera::view_width(sheet, view, count) : 0;
-  if (width == 0) {
-    throw core::ImageError("there is no view " + std::to_string(view) + ": the views are 0 to " +
-                           std::to_string(count - 1));
-  }
+  if (width == 0) refuse_view(view, count);
   return seen_at(integral, width, false, [&](std::uint32_t i, std::uint32_t) {
     return static_cast<double>(camera::view_column(sheet.lens().pixels, view, count, i));
   });

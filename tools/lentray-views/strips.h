@@ -13,6 +13,9 @@
 
 namespace lentray::views {
 
+/// There are `count` views.
+[[noreturn]] void refuse_view(std::uint32_t view, std::uint32_t count);
+
 /// View j of `count`: one pixel a lens, that whose print offset is nearest to
 /// ((j + 1/2)/count - 1/2) P'. A last lens that is cut may lack it.
 core::StoredImage view_of(const core::StoredImage& integral, const camera::LensSheet& sheet,

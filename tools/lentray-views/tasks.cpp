@@ -63,9 +63,8 @@ fs::path numbered(const fs::path& pattern, std::uint32_t view, std::uint32_t cou
 /// The views that are asked for, of `count`.
 Range range_of(const Arguments& a, std::uint32_t count) {
   const Range range = a.range.value_or(Range{0, count - 1});
-  if (range.last < count) return range;
-  throw ImageError("there is no view " + std::to_string(range.last) + ": the views are 0 to " +
-                   std::to_string(count - 1));
+  if (range.last >= count) refuse_view(range.last, count);
+  return range;
 }
 
 /// Reads back as the same number.

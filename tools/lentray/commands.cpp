@@ -1,17 +1,16 @@
 #include "tools/lentray/commands.h"
 
 #include <spawn.h>
-#include <sys/wait.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <array>
-#include <cerrno>
 #include <csignal>
 #include <cstdio>
 
 #include "parser/base/shown.h"
 #include "parser/files/files.h"
+#include "tools/common/process.h"
 
 namespace lentray::tool {
 namespace {
@@ -47,10 +46,7 @@ int run_in_shell(const std::string& command) {
   const int error = posix_spawn(&child, "/bin/sh", nullptr, &attributes, arguments, environ);
   posix_spawnattr_destroy(&attributes);
   if (error != 0) throw parser::OptionError("no shell starts for the command '" + command + "'");
-  int status = 0;
-  while (waitpid(child, &status, 0) < 0 && errno == EINTR) {
-  }
-  return WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
+  return end_of(child);
 }
 
 Action action_of(char letter) {

@@ -72,6 +72,11 @@ struct Output {
   int guarded(Work work);
 };
 
+template <class... Errors>
+bool is_one_of(const std::exception& error) {
+  return (dynamic_cast<const Errors*>(&error) || ...);
+}
+
 /// Runs `work`; what it throws becomes a message and an exit status.
 template <typename Work>
 int Output::guarded(Work work) {
@@ -79,23 +84,12 @@ int Output::guarded(Work work) {
     return work();
   } catch (const parser::ParseError& error) {
     return fail(line(error.what()));
-  } catch (const parser::OptionError& error) {
-    return fail_nowhere(error.what());
-  } catch (const camera::CameraError& error) {
-    return fail_nowhere(error.what());
-  } catch (const core::ImageError& error) {
-    return fail_nowhere(error.what());
-  } catch (const parser::BuildError& error) {
-    return fail_nowhere(error.what());
-  } catch (const core::NoRoom& error) {
-    return fail_nowhere(error.what());
-  } catch (const std::bad_alloc&) {
-    return fail_nowhere(kNoMemory);
-  } catch (const std::length_error&) {  // more than any memory holds
-    return fail_nowhere(kNoMemory);
-  } catch (const std::system_error& error) {
-    return fail_nowhere(error.what());
   } catch (const std::exception& error) {
+    if (is_one_of<parser::OptionError, parser::BuildError, camera::CameraError, core::ImageError,
+                  core::NoRoom, std::system_error>(error))
+      return fail_nowhere(error.what());
+    // A length_error: more than any memory holds.
+    if (is_one_of<std::bad_alloc, std::length_error>(error)) return fail_nowhere(kNoMemory);
     return fail_nowhere(std::string("internal error: ") + error.what(), tool::kInternalError);
   }
 }
@@ -146,6 +140,7 @@ int run_main(int argc, char** argv) {
   const std::vector<std::string> arguments(argv + 1, argv + argc);
   parser::RenderOptions options;
   Output out;
+  bool is_over = false;
   int status = out.guarded([&] {
     try {
       options = parser::read_options(arguments, parser::installed_sources());
@@ -153,28 +148,22 @@ int run_main(int argc, char** argv) {
       if (as_povray) std::fputs(tool::stock_option_problem(program, arguments).c_str(), stderr);
       throw;
     }
-    if (!options.help && !options.version) tool::judge_options(options);
+    const bool tells = options.help || options.version;
+    if (!tells) tool::judge_options(options);
     parser::drop_scene_writes(options);
-    return tool::kDone;
-  });
-  if (status != tool::kDone) return status;
-  if (options.list_lens_sheets && !options.help && !options.version) {
-    return out.guarded([&] {
+    is_over = tells || options.list_lens_sheets;
+    if (tells) {
+      tell(options, as_povray);
+    } else if (options.list_lens_sheets) {
       const auto files = parser::installed_lens_sheet_files();
       std::fputs(parser::lens_sheet_list(options, files).c_str(), stdout);
-      return tool::kDone;
-    });
-  }
-  if (options.help || options.version) {
-    tell(options, as_povray);
-    return tool::kDone;
-  }
-  status = out.guarded([&] {
-    out.texts.emplace(options);
-    out.form = tool::make_message_form(options.stock_messages.value_or(as_povray), *out.texts);
+    } else {
+      out.texts.emplace(options);
+      out.form = tool::make_message_form(options.stock_messages.value_or(as_povray), *out.texts);
+    }
     return tool::kDone;
   });
-  if (status != tool::kDone) return status;
+  if (status != tool::kDone || is_over) return status;
   tool::RunGuard guard([&out] { out.texts->keep_at_end(); });
   if (tool::renders(options)) out.form->begin_run();
   status = render(options, guard, out);

@@ -70,7 +70,7 @@ void check_order(const RenderOptions& o) {
   }
 }
 
-/// Files are asked for before anything is read.
+/// Files are asked for before anything is read, so that no work is lost on them.
 void check_outputs(Run& run) {
   const RenderOptions& o = run.options;
   judge_options(o);

@@ -110,26 +110,25 @@ class Loop {
     }
   }
 
-  Next frame_with_commands(Commands& commands, std::size_t i) {
-    RenderOptions one = m_options;
-    one.frame_digits = m_frames.list[i].digits;
-    const CommandContext context = command_context(one, m_frames.list[i].clock);
-    switch (commands.run(CommandKind::kPreFrame, context)) {
-      case Action::kGoOn: break;
-      case Action::kSkip: return Next::kFrame;
-      case Action::kSkipAll: return Next::kEndOfScene;
-      case Action::kQuit: return Next::kQuit;
-      case Action::kAbort: return Next::kAbort;
-    }
-    if (make(i) == kAborted) return Next::kAbort;
-    switch (commands.run(CommandKind::kPostFrame, context)) {
+  static Next next_after(Action action, Next skipped) {
+    switch (action) {
       case Action::kGoOn: return Next::kFrame;
-      case Action::kSkip:
+      case Action::kSkip: return skipped;
       case Action::kSkipAll: return Next::kEndOfScene;
       case Action::kQuit: return Next::kQuit;
       case Action::kAbort: break;
     }
     return Next::kAbort;
+  }
+
+  Next frame_with_commands(Commands& commands, std::size_t i) {
+    RenderOptions one = m_options;
+    one.frame_digits = m_frames.list[i].digits;
+    const CommandContext context = command_context(one, m_frames.list[i].clock);
+    const Action first = commands.run(CommandKind::kPreFrame, context);
+    if (first != Action::kGoOn) return next_after(first, Next::kFrame);
+    if (make(i) == kAborted) return Next::kAbort;
+    return next_after(commands.run(CommandKind::kPostFrame, context), Next::kEndOfScene);
   }
 
   Status scene_with_commands(Commands& commands, const CommandContext& scene) {

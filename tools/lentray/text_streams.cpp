@@ -94,7 +94,7 @@ void TextStreams::keep() {
 void TextStreams::keep(File& file) {
   if (!file.waits) return;
   file.waits = false;
-  const std::unique_ptr<std::FILE, Close> said = std::move(file.file);
+  const core::OpenFile said = std::move(file.file);
   std::fflush(said.get());
   core::check_not_input(file.name);
   file.file.reset(open_text(file.name, m_append));
@@ -112,7 +112,7 @@ void TextStreams::keep_at_end() {
     } catch (const core::ImageError&) {
       continue;
     }
-    const std::unique_ptr<std::FILE, Close> to(open_text(file.name, m_append));
+    const core::OpenFile to(open_text(file.name, m_append));
     if (to) copy(file.file.get(), to.get());
   }
 }

@@ -11,6 +11,7 @@
 #include <string>
 #include <string_view>
 
+#include "core/image/open_file.h"
 #include "parser/options/options.h"
 #include "parser/source/diagnostics.h"
 
@@ -38,13 +39,10 @@ class TextStreams {
   std::string trouble() const;
 
  private:
-  struct Close {
-    void operator()(std::FILE* file) const { std::fclose(file); }
-  };
   /// A file on the disk; two streams may share it.
   struct File {
     std::string name;
-    std::unique_ptr<std::FILE, Close> file;
+    core::OpenFile file;
     bool waits = false;  ///< `file` is a temporary one, which keep() copies
   };
   File* open(const std::string& name);

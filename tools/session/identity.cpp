@@ -89,17 +89,18 @@ Identity Identity::of_text(const std::string& text) {
   return out;
 }
 
+std::string clock_line(const parser::FrameClock& f) {
+  return core::formed("clock %.17g of %.17g to %.17g, delta %.17g, on %d\n", f.clock,
+                      f.initial_clock, f.final_clock, f.clock_delta, int{f.clock_on});
+}
+
+std::string frame_number_line(const parser::FrameClock& f) {
+  return core::formed("frame %d of %d to %d\n", f.frame_number, f.initial_frame, f.final_frame);
+}
+
 Identity identity_of(const parser::RenderOptions& options, const parser::FrameClock& clock) {
-  Identity out;
-  out.program = program();
-  std::ostringstream lines;
-  lines.precision(17);
-  lines << parser::picture_lines(options) << "clock " << clock.clock << " of "
-        << clock.initial_clock << " to " << clock.final_clock << ", delta " << clock.clock_delta
-        << ", on " << clock.clock_on << "\nframe " << clock.frame_number << " of "
-        << clock.initial_frame << " to " << clock.final_frame << "\n";
-  out.options = lines.str();
-  return out;
+  return {
+      program(), parser::picture_lines(options) + clock_line(clock) + frame_number_line(clock), {}};
 }
 
 std::string difference(const Identity& then, const Identity& now) {

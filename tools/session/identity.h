@@ -24,6 +24,10 @@ struct Identity {
   static Identity of_text(const std::string& text);
 };
 
+/// A line for the clock and one for the frame, with all figures.
+std::string clock_line(const parser::FrameClock& clock);
+std::string frame_number_line(const parser::FrameClock& clock);
+
 /// Without files.
 Identity identity_of(const parser::RenderOptions& options, const parser::FrameClock& clock);
 

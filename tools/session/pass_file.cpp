@@ -13,6 +13,7 @@
 #include "core/base/byte_text.h"
 #include "parser/options/options.h"
 #include "tools/common/companion.h"
+#include "tools/common/process.h"
 #include "tools/session/summed_bytes.h"
 
 namespace lentray::tool {

@@ -1,10 +1,10 @@
 #include "tools/session/ray_dump.h"
 
 #include <cstdio>
-#include <memory>
 #include <optional>
 
 #include "core/image/file_swap.h"
+#include "core/image/open_file.h"
 #include "core/image/writer.h"
 
 namespace lentray::tool {
@@ -30,7 +30,7 @@ void dump_ray(const camera::Camera& camera, std::uint32_t column, std::uint32_t 
 void dump_rays(const camera::Camera& camera, const std::string& path) {
   std::optional<core::FileSwap> swap;
   std::FILE* out = stdout;
-  std::unique_ptr<std::FILE, int (*)(std::FILE*)> owned(nullptr, &std::fclose);
+  core::OpenFile owned;
   if (path != "-") {
     swap.emplace(path);
     owned.reset(std::fopen(swap->temporary().c_str(), "w"));

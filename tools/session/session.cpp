@@ -3,13 +3,13 @@
 #include <tbb/task_arena.h>
 
 #include <algorithm>
-#include <sstream>
 #include <tuple>
 #include <utility>
 
 #include "camera/scene_probe.h"
 #include "core/accel/hierarchy.h"
 #include "core/accel/light_buffer.h"
+#include "core/base/formed.h"
 #include "core/base/memory_stages.h"
 #include "core/pass/pass_list.h"
 #include "core/render/focal_blur.h"
@@ -23,6 +23,7 @@
 #include "shadow/run_meter.h"
 #include "shadow/tester_factory.h"
 #include "tools/common/machine.h"
+#include "tools/session/identity.h"
 #include "tools/session/quality.h"
 #include "tools/session/radiosity_lattice.h"
 
@@ -216,21 +217,13 @@ bool Session::has_passes() const {
 }
 
 std::string Session::radiosity_lines(const CameraSetup& camera) const {
-  std::ostringstream out;
-  out.precision(17);
   const parser::ParserOptions& own = m_reading.parser;
-  const parser::FrameClock& f = own.frame;
-  if (m_reads.clock) {
-    out << "clock " << f.clock << " of " << f.initial_clock << " to " << f.final_clock << ", delta "
-        << f.clock_delta << ", on " << f.clock_on << "\n";
-  }
-  if (m_reads.frames) {
-    out << "frame " << f.frame_number << " of " << f.initial_frame << " to " << f.final_frame
-        << "\n";
-  }
-  if (m_reads.width) out << "image_width " << own.image_width << "\n";
-  if (m_reads.height) out << "image_height " << own.image_height << "\n";
-  return out.str() + identity_lines(lattice_of(camera), radiosity_eye(*m_camera));
+  std::string out;
+  if (m_reads.clock) out += clock_line(own.frame);
+  if (m_reads.frames) out += frame_number_line(own.frame);
+  if (m_reads.width) out += core::formed("image_width %d\n", own.image_width);
+  if (m_reads.height) out += core::formed("image_height %d\n", own.image_height);
+  return out + identity_lines(lattice_of(camera), radiosity_eye(*m_camera));
 }
 
 shadow::RunReport Session::render(const Plan& plan, const Outlets& outlets) {

@@ -6,9 +6,6 @@
 
 #include <cerrno>
 #include <cstring>
-#include <fstream>
-#include <sstream>
-#include <utility>
 
 #include "core/base/byte_text.h"
 #include "core/image/run_files.h"
@@ -44,13 +41,6 @@ std::string take_file(int file, const std::string& path) {
   if (core::is_input(path)) return "the scene reads it";
   if (::flock(file, LOCK_EX | LOCK_NB) != 0) return "another run is at the same picture";
   return ::ftruncate(file, 0) != 0 ? std::strerror(errno) : "";
-}
-
-std::string file_bytes(const std::string& path) {
-  const std::ifstream in(path, std::ios::binary);
-  std::ostringstream bytes;
-  bytes << in.rdbuf();
-  return std::move(bytes).str();
 }
 
 }  // namespace lentray::tool

@@ -29,7 +29,5 @@ bool take_summed(std::string_view& bytes, std::string_view& piece);
 
 /// Takes an open file for work that is kept, and empties it. Why that cannot be done; empty: it is done.
 std::string take_file(int file, const std::string& path);
-/// All of a file; empty if it cannot be read.
-std::string file_bytes(const std::string& path);
 
 }  // namespace lentray::tool
