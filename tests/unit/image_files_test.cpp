@@ -1,5 +1,8 @@
 // Pictures to files and back: quantisation, metadata, and that a good file survives.
+#include <fcntl.h>
 #include <gtest/gtest.h>
+#include <sys/file.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <cmath>
@@ -229,6 +232,19 @@ TEST(UnitImageFiles, WhatAKilledProcessLeftIsClearedAway) {
   }
   EXPECT_TRUE(fs::exists(other));
   EXPECT_TRUE(fs::exists(strange));
+}
+
+TEST(UnitImageFiles, WhatAKilledProcessHoldsForAWhileIsClearedAwayInTheEnd) {
+  const TemporaryFolder folder;
+  const fs::path part = left_over(folder, ".a.png.lentray-99999-0.part");
+  const int held = ::open(part.c_str(), O_RDWR | O_CLOEXEC);
+  ASSERT_EQ(::flock(held, LOCK_EX), 0);
+  FileSwap swap(folder / "a.png");
+  EXPECT_TRUE(fs::exists(part)) << "its maker may live";
+  ::close(held);
+  swap.commit();
+  EXPECT_FALSE(fs::exists(part));
+  EXPECT_TRUE(fs::exists(folder / "a.png"));
 }
 
 TEST(UnitImageFiles, LongNamesHaveRoomForTheTemporaryOne) {

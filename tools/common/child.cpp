@@ -2,7 +2,6 @@
 
 #include <fcntl.h>
 #include <signal.h>
-#include <sys/prctl.h>
 #include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -12,6 +11,8 @@
 #include <cstring>
 #include <fstream>
 #include <stdexcept>
+
+#include "tools/common/process.h"
 
 namespace lentray::tool {
 
@@ -29,8 +30,8 @@ sigset_t awaited_signals() {
 
 /// In the child. Async-signal-safe calls, but for `work`.
 [[noreturn]] void become(char* const* command, const char* folder, int log,
-                         const std::function<int()>& work, double cpu_limit) {
-  ::prctl(PR_SET_PDEATHSIG, SIGKILL);
+                         const std::function<int()>& work, double cpu_limit, pid_t parent) {
+  end_with(parent);
   ::setpgid(0, 0);  // a terminal's Ctrl-C is for the parent, which asks its children itself
   const sigset_t set = awaited_signals();
   ::sigprocmask(SIG_UNBLOCK, &set, nullptr);
@@ -75,8 +76,10 @@ Child::Child(const Launch& launch) : m_start(std::chrono::steady_clock::now()) {
   const int log = ::open(launch.log.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
   if (log < 0)
     throw std::runtime_error("cannot write '" + launch.log.string() + "': " + std::strerror(errno));
+  const pid_t parent = ::getpid();
   m_pid = ::fork();
-  if (m_pid == 0) become(command.data(), folder.c_str(), log, launch.work, launch.cpu_limit);
+  if (m_pid == 0)
+    become(command.data(), folder.c_str(), log, launch.work, launch.cpu_limit, parent);
   const int error = errno;
   ::close(log);
   if (m_pid < 0)

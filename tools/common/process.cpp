@@ -22,11 +22,16 @@ namespace lentray::tool {
 
 namespace fs = std::filesystem;
 
+void end_with(pid_t parent) {
+  ::prctl(PR_SET_PDEATHSIG, SIGKILL);
+  if (::getppid() != parent) ::_exit(127);  // it ended before it was asked about
+}
+
 namespace {
 
 /// In the child, after fork: only async-signal-safe calls.
-[[noreturn]] void become(char* const* arguments, const char* folder, int output) {
-  ::prctl(PR_SET_PDEATHSIG, SIGKILL);  // it must not outlive whoever waits for it
+[[noreturn]] void become(char* const* arguments, const char* folder, int output, pid_t parent) {
+  end_with(parent);
   const int nothing = ::open("/dev/null", O_RDONLY);
   ::dup2(nothing, STDIN_FILENO);
   ::dup2(output, STDOUT_FILENO);
@@ -72,8 +77,8 @@ RunResult run_program(const std::vector<std::string>& command, const fs::path& f
   if (::pipe2(ends, O_CLOEXEC) != 0) {
     throw std::runtime_error(std::string("cannot make a pipe: ") + std::strerror(errno));
   }
-  const pid_t child = ::fork();
-  if (child == 0) become(arguments.data(), folder_name.c_str(), ends[1]);
+  const pid_t parent = ::getpid(), child = ::fork();
+  if (child == 0) become(arguments.data(), folder_name.c_str(), ends[1], parent);
   ::close(ends[1]);
   if (child < 0) {
     ::close(ends[0]);

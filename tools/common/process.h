@@ -2,6 +2,8 @@
 // Errors: std::runtime_error if the program cannot be started. Threads: any number.
 #pragma once
 
+#include <sys/types.h>
+
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -18,6 +20,9 @@ struct RunResult {
 /// (empty: ours). seconds 0: no limit.
 RunResult run_program(const std::vector<std::string>& command,
                       const std::filesystem::path& folder = {}, double seconds = 0.0);
+
+/// In a child, after fork: it does not outlive its parent. Async-signal-safe.
+void end_with(pid_t parent);
 
 /// A new empty folder that goes away, with all it holds, with the object.
 class TemporaryFolder {
