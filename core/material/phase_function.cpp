@@ -5,7 +5,7 @@
 namespace lentray::core {
 namespace {
 
-// Stock's factors (tests/unit/phase_function_test.cpp).
+// Stock's factors (tests/unit/material/phase_function_test.cpp).
 constexpr double kRayleigh = 0.799372013;
 constexpr double kHazy = 0.576655375;
 constexpr double kMurky = 0.495714547;

@@ -2,7 +2,7 @@
 // values, as short as POV-Ray keeps them, so that both gather the same: three floats, a colour of four
 // bytes, a direction of two.
 // Source: reference manual 3.7, "Photons"; Ward, "Real Pixels", Graphics Gems II (the colour); bytes and
-// their rounding are those of a file that `save_file` writes (tests/unit/photon_test.cpp).
+// their rounding are those of a file that `save_file` writes (tests/unit/photon/photon_test.cpp).
 #pragma once
 
 #include <array>
