@@ -3,7 +3,7 @@
 //
 // Units: millimetres on the sheet, slopes (tangents against the sheet's normal) for directions.
 // Positive offsets look towards +right: the picture is orthoscopic, ready for display.
-// Immutable. Source: the optics of a plano-convex lens sheet; tests/unit/camera_lens_sheet_test
+// Immutable. Source: the optics of a plano-convex lens sheet; tests/unit/camera/camera_lens_sheet_test
 // holds every formula, tests/image/rays_test the rays against stock.
 #pragma once
 

@@ -10,7 +10,7 @@
 // its slope along y is that of the row. Its slope T across the lens is the lens model's. The two
 // give its slope along x: T / cos a + m_y tan a.
 // Immutable, any number of threads. Source: docs/lens/formulae.md, "Slanted sheets";
-// tests/unit/camera_slanted_sheet_test holds the rays, tests/image/slanted_sheets_test the pictures.
+// tests/unit/camera/camera_slanted_sheet_test holds the rays, tests/image/slanted_sheets_test the pictures.
 #pragma once
 
 #include <cstdint>

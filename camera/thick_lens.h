@@ -13,7 +13,7 @@
 //
 // Units: mm; slopes are tangents against the sheet's normal. Positive offsets look towards +right.
 // Immutable, any number of threads. Source: Snell's law in vector form; docs/lens/formulae.md;
-// tests/unit/camera_thick_lens_test holds the rays, tests/image/thick_lens_test the pictures.
+// tests/unit/camera/camera_thick_lens_test holds the rays, tests/image/thick_lens_test the pictures.
 #pragma once
 
 #include <cstdint>

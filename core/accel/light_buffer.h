@@ -4,7 +4,7 @@
 // Only where to look is taken from it; what blocks a ray is decided by the objects' own tests, or
 // is certain by a margin far above rounding, so that answers are those of the hierarchy.
 // World space. Immutable once built; any number of threads.
-// Test: tests/unit/accel_light_buffer_test.cpp.
+// Test: tests/unit/accel/accel_light_buffer_test.cpp.
 #pragma once
 
 #include <array>

@@ -2,7 +2,7 @@
 // one plane between light and object, in floats. A point outside by more than all rounding is certainly not in the
 // object's shadow, and the object is not tested. A point inside may be in shadow.
 // Relative to the light, in world units. Immutable, any number of threads.
-// Test: tests/unit/accel_light_volume_test.cpp.
+// Test: tests/unit/accel/accel_light_volume_test.cpp.
 #pragma once
 
 #include <algorithm>

@@ -1,7 +1,7 @@
 // A few numbers handled as one: the only text that knows the processor's instructions for that. The types
 // are the compiler's own: arithmetic, comparisons and bits are the language's operators, a lane at a time,
 // never fused. Operations without an operator stand here twice, by instructions of x86 and plainly, for all
-// other processors, with the same bits (tests/unit/base_simd_test.cpp).
+// other processors, with the same bits (tests/unit/base/base_simd_test.cpp).
 // Types of 32 bytes, Double4, Long4, Float8 and Int8, are for functions marked LENTRAY_AVX2. What a
 // comparison gives has all bits of a lane set, or none. Any thread.
 #pragma once

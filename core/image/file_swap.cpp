@@ -50,6 +50,10 @@ fs::path folder_of(const fs::path& place) {
   return place.has_parent_path() ? place.parent_path() : fs::path(".");
 }
 
+std::string stem_of(const fs::path& place) {
+  return "." + place.filename().string().substr(0, kLongestName) + std::string(kMark);
+}
+
 /// Temporary files that nobody holds a lock on: their makers were killed.
 void remove_left_over(const fs::path& folder, const std::string& stem) {
   std::error_code error;
@@ -149,8 +153,7 @@ void FileSwap::make_temporary() {
   std::error_code error;
   const fs::path folder = m_device ? fs::temp_directory_path(error) : folder_of(m_place);
   if (error) fail(m_place, error.message());
-  const std::string stem =
-      "." + m_place.filename().string().substr(0, kLongestName) + std::string(kMark);
+  const std::string stem = stem_of(m_place);
   remove_left_over(folder, stem);
   static std::atomic<unsigned> serial{0};  // only makes names differ, never seen in a result
   while (m_lock < 0) {
@@ -210,6 +213,8 @@ void FileSwap::commit() {
   if (error) fail(m_place, error.message());
   note_made(m_place);
   m_committed = true;
+  // A process that was killed holds its locks until it is gone, which may be after this one began.
+  remove_left_over(folder_of(m_place), stem_of(m_place));
 }
 
 }  // namespace lentray::core

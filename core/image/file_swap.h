@@ -2,7 +2,8 @@
 // place, then renamed. What stood there before stays until that moment.
 //
 // The temporary file of a.png is called .a.png.lentray-<process>-<number>.part. It is locked while
-// its maker lives; one that a killed process left behind is removed by the next that writes a.png.
+// its maker lives; one that a killed process left behind is removed by the next that writes a.png:
+// when it begins, for the room on the disk, and when it is done.
 // Errors: ImageError. Threads: one object a thread.
 #pragma once
 

@@ -1,5 +1,5 @@
 // Linear light to the integers of a file, many values at a time.
-// Immutable, any number of threads. Source: measured on stock, tests/unit/image_files_test.
+// Immutable, any number of threads. Source: measured on stock, tests/unit/image/image_files_test.
 #pragma once
 
 #include <algorithm>

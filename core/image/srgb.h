@@ -1,5 +1,5 @@
 // The transfer curve of sRGB, both ways: linear light and stored values, 0 to 1, in single precision as stock.
-// Pure, any number of threads. Source: IEC 61966-2-1; measured on stock, tests/unit/image_files_test.
+// Pure, any number of threads. Source: IEC 61966-2-1; measured on stock, tests/unit/image/image_files_test.
 #pragma once
 
 #include <cmath>

@@ -7,7 +7,7 @@
 // Errors: ImageError, with the path and the reason; the file that stood at the path before is
 // then still whole, for a picture is written beside its place and renamed. The path "-" is
 // standard output, which gets the picture when it is whole.
-// Threads: any number, on different paths. Source: measured on stock, tests/unit/image_*
+// Threads: any number, on different paths. Source: measured on stock, tests/unit/image/*
 // and tests/image/file_types_test.cpp.
 #pragma once
 

@@ -2,7 +2,7 @@
 // which each gather takes the next. World space, unit.
 // Not thread-safe: a cycle has a place.
 // Source: Halton, Numerische Mathematik 2, 1960 (bases 2 and 3); Malley's way from a disc to the
-// hemisphere; the order and the frame are those that replay stock's samples (tests/unit/irradiance_test.cpp).
+// hemisphere; the order and the frame are those that replay stock's samples (tests/unit/irradiance/irradiance_test.cpp).
 #pragma once
 
 #include <cstddef>

@@ -1,7 +1,7 @@
 // Where a picture is looked at before it is made, coarse places first, so that the samples that lie there
 // serve all of it. Pixels; (0, 0) is the corner of the picture at the upper left. Pure functions.
 // Source: reference manual 3.7, "pretrace_start"; places, jitter and order are those of stock's samples
-// (tests/unit/irradiance_test.cpp). The numbers of the jitter are Matsumoto and Nishimura's MT19937, 1998.
+// (tests/unit/irradiance/irradiance_test.cpp). The numbers of the jitter are Matsumoto and Nishimura's MT19937, 1998.
 #pragma once
 
 #include <cstdint>

@@ -5,7 +5,7 @@
 namespace lentray::core {
 namespace {
 
-// Source: POV-Ray 3.7 (tests/unit/phase_function_test.cpp).
+// Source: POV-Ray 3.7 (tests/unit/material/phase_function_test.cpp).
 constexpr double kRayleigh = 0.799372013;
 constexpr double kHazy = 0.576655375;
 constexpr double kMurky = 0.495714547;

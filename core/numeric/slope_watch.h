@@ -2,7 +2,7 @@
 // the max_gradient it was given. What it finds depends on the rays: a picture with holes may hide it.
 // note(): any number of threads; the rest after rendering.
 // Source: when stock 3.7 warns of it, measured with functions of known slope
-// (tests/unit/geometry_slope_watch_test.cpp).
+// (tests/unit/numeric/geometry_slope_watch_test.cpp).
 #pragma once
 
 #include <atomic>

@@ -1,7 +1,7 @@
 // A photon: a share of a light's power that came to rest at a place. World space; power linear. Plain
 // values: three floats, a colour of four bytes, a direction of two. Light is gathered from these short numbers.
 // Source: reference manual 3.7, "Photons"; Ward, "Real Pixels", Graphics Gems II (the colour); bytes and
-// their rounding are those of a file that `save_file` writes (tests/unit/photon_test.cpp).
+// their rounding are those of a file that `save_file` writes (tests/unit/photon/photon_test.cpp).
 #pragma once
 
 #include <array>

@@ -3,7 +3,7 @@
 // which the range is widest, down to single photons. So there are no pointers, and the order in which
 // photons are visited, on which the choice depends in part (see find()), is fixed.
 // Source: Jensen, "Realistic Image Synthesis Using Photon Mapping"; the choice is measured in
-// tests/unit/photon_test.cpp.
+// tests/unit/photon/photon_test.cpp.
 #pragma once
 
 #include <array>

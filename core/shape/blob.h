@@ -23,7 +23,7 @@ class Blob final : public Shape {
   Vec3 normal(const Vec3& p, const ShapeHit& hit) const override;
 
  private:
-  friend struct PlainShapes;  // tests/unit/plain_shapes.h
+  friend struct PlainShapes;  // tests/unit/shape/plain_shapes.h
   bool within(const Vec3& p) const;
   Bounds box_in(const Transform& t) const;
   /// Where along a ray a field holds: its distance there is a quadratic of t.

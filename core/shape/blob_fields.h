@@ -44,7 +44,7 @@ class BlobFields {
   void at_point(const Vec3& p, Visit&& visit) const;
 
  private:
-  friend struct PlainShapes;  // tests/unit/plain_shapes.h
+  friend struct PlainShapes;  // tests/unit/shape/plain_shapes.h
   std::vector<BlobField> m_fields;
   std::vector<Bounds> m_boxes;  ///< of each field, a little wider
   WideBvh m_search;             ///< over them, where there are many

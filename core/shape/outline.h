@@ -64,7 +64,7 @@ class Outline {
   const Vec2& hi() const { return m_hi; }
 
  private:
-  friend struct PlainShapes;  // tests/unit/plain_shapes.h
+  friend struct PlainShapes;  // tests/unit/shape/plain_shapes.h
   static PlaneBox box_of(const CurvePiece& piece);
   void fill_squares();
   void fill_row(int row);

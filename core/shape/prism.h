@@ -32,7 +32,7 @@ class Prism final : public Shape {
   Vec3 normal(const Vec3& p, const ShapeHit& hit) const override;
 
  private:
-  friend struct PlainShapes;  // tests/unit/plain_shapes.h
+  friend struct PlainShapes;  // tests/unit/shape/plain_shapes.h
   bool within(const Vec3& p) const;
   Bounds own_box() const;
   Bounds box_in(const Transform& t) const;

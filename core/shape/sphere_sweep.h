@@ -45,7 +45,7 @@ class SphereSweep final : public Shape {
   Vec3 normal(const Vec3& p, const ShapeHit& hit) const override;
 
  private:
-  friend struct PlainShapes;  // tests/unit/plain_shapes.h
+  friend struct PlainShapes;  // tests/unit/shape/plain_shapes.h
   Bounds box_in(const Transform& t) const;
   struct Line;
   void crossings(const Ray& ray, double t_min, double t_max, ShapeHits& out) const;

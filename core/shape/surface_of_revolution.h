@@ -26,7 +26,7 @@ class SurfaceOfRevolution final : public Shape {
   Vec2 uv(const Vec3& p, const ShapeHit& hit) const override;
 
  private:
-  friend struct PlainShapes;  // tests/unit/plain_shapes.h
+  friend struct PlainShapes;  // tests/unit/shape/plain_shapes.h
   bool within(const Vec3& p) const;
   Bounds own_box() const;
   Bounds box_in(const Transform& t) const;

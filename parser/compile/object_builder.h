@@ -1,6 +1,6 @@
 // Object descriptions -> objects of the kernel, in world space, materials inherited through CSG.
 // One builder a scene, one thread. Source: reference manual 3.7, "Object Modifiers"; the rules of
-// inheritance measured on stock (tests/unit/build_objects_test.cpp).
+// inheritance measured on stock (tests/unit/object/build_objects_test.cpp).
 #pragma once
 
 #include <map>

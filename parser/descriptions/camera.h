@@ -1,7 +1,7 @@
 // A camera statement, read: vectors as stock computes them, after look_at, angle and transforms.
 // World space. A converter needs no more than this: kind, the four vectors, look_at distance.
 // Source: reference manual 3.7, "Camera"; order of operations and defaults measured on stock
-// (tests/unit/grammar_camera_test.cpp).
+// (tests/unit/parser/grammar_camera_test.cpp).
 #pragma once
 
 #include <array>

@@ -1,7 +1,7 @@
 // The frames of an animation: which there are, and the clock and constants that a scene sees in
 // each.
 // Source: reference manual 3.7, "Animation Options"; when the loop runs, cyclic clocks, subsets and
-// the digits of names measured on stock (tests/unit/parser_animation_test). Pure functions.
+// the digits of names measured on stock (tests/unit/parser/parser_animation_test). Pure functions.
 #pragma once
 
 #include <cstdint>

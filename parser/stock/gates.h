@@ -2,7 +2,7 @@
 // (core/object/gated.h): its `bounded_by` where stock uses it, and stock's bounding box where the object exceeds it.
 // Also: which unions of the scene's list are replaced by their parts there. World space.
 // Source: measured on stock (tests/image/clip_boxes_test.cpp, tests/image/own_bounds_test.cpp,
-// tests/unit/build_objects_test.cpp).
+// tests/unit/object/build_objects_test.cpp).
 // Errors: none. Threads: any.
 #pragma once
 

@@ -1,6 +1,6 @@
 // Numbers as text: what str(), vstr() and #write print. Correctly rounded, as the C library's.
 // Source: reference manual 3.7, "Strings", "#write"; the two formats measured on stock.
-// Held to printf by tests/unit/parser_number_text_test.cpp.
+// Held to printf by tests/unit/parser/parser_number_text_test.cpp.
 #pragma once
 
 #include <string>

@@ -10,7 +10,7 @@
 // cache counted. Pixels that see nothing (total reflection in the sheet) cast no shadow ray.
 // Errors: std::invalid_argument for what is no sheet or no shadow. Immutable, any number of
 // threads.
-// Source: docs/lens/formulae.md for the rays; tests/unit/shadow_enumeration_test holds it against pixel
+// Source: docs/lens/formulae.md for the rays; tests/unit/shadow/shadow_enumeration_test holds it against pixel
 // after pixel, tests/image/hit_model_test against the kernel.
 #pragma once
 

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "tests/unit/parser_text.h"
+#include "tests/unit/parser/parser_text.h"
 
 namespace lentray::test {
 

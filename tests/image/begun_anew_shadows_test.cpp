@@ -5,7 +5,7 @@
 namespace lentray::test {
 namespace {
 
-struct Case {
+struct BegunAnewCase {
   const char* name;
   const char* sdl;
 };
@@ -24,7 +24,7 @@ struct Case {
 
 #define JULIA(more) "julia_fractal { " more " translate y }"
 
-const Case kCases[] = {
+const BegunAnewCase kCases[] = {
     {"alone", SHELL(CLEAR)},
     {"two_surfaces", SHELL("max_trace 2" CLEAR)},
     {"all_surfaces", SHELL("max_trace 10" CLEAR)},
@@ -50,7 +50,7 @@ const Case kCases[] = {
                                         "interior { ior 1.5 fade_power 1 fade_distance .5 } }"},
 };
 
-class ImageBegunAnewShadows : public ::testing::TestWithParam<Case> {};
+class ImageBegunAnewShadows : public ::testing::TestWithParam<BegunAnewCase> {};
 
 TEST_P(ImageBegunAnewShadows, AsStock) {
   EXPECT_TRUE(same_as_stock(staged(std::string(GetParam().sdl) + "\n")));

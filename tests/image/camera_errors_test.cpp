@@ -10,20 +10,20 @@
 namespace lentray::test {
 namespace {
 
-struct Case {
+struct CameraErrorCase {
   std::string camera;  ///< the third line of the scene
   std::vector<std::string> options;
   std::string message;              ///< a part of it
   bool has_place = true;            ///< of the statement
   std::vector<std::string> said{};  ///< those options that the message names
 };
-void PrintTo(const Case& c, std::ostream* out) { *out << c.camera << ": " << c.message; }
+void PrintTo(const CameraErrorCase& c, std::ostream* out) { *out << c.camera << ": " << c.message; }
 
 const std::string kPlain = "camera { location -6*z look_at 0 }";
 const std::string kBlurred = "camera { location -6*z look_at 0 blur_samples 4 ";
 const std::string kSheet = "camera { lenticular location -6*z look_at 0 ";
 
-const Case kOfStatement[] = {
+const CameraErrorCase kOfStatement[] = {
     {"camera { location -5*z right 0 look_at 0 }", {"Lenticular=On"}, "vectors of some length"},
     {"camera { location -5*z right <1,1,0> up y }", {"Lenticular=On"}, "not perpendicular to `up`"},
     {"camera { location -5*z right x direction x }",
@@ -49,7 +49,7 @@ const Case kOfStatement[] = {
      "no focal blur"},
 };
 
-const Case kOfBoth[] = {
+const CameraErrorCase kOfBoth[] = {
     {"camera { fisheye location -5*z }",
      {"Lenticular=On"},
      "`fisheye` camera",
@@ -81,7 +81,7 @@ const Case kOfBoth[] = {
     {kSheet + "lens_pixels 10 }", {"View=77"}, "there is no view 77", true, {"View=77"}},
 };
 
-const Case kOfOptions[] = {
+const CameraErrorCase kOfOptions[] = {
     {kPlain,
      {"Lenticular=On", "Sheet_Distance=0"},
      "must be greater than 0",
@@ -172,7 +172,7 @@ const Case kOfOptions[] = {
      {"Lens_Sheet=none-such"}},
 };
 
-class ErrorCameraPlaces : public ::testing::TestWithParam<Case> {
+class ErrorCameraPlaces : public ::testing::TestWithParam<CameraErrorCase> {
  protected:
   void SetUp() override {
     tool::write_text(m_folder / "s.pov",

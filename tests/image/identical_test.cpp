@@ -2,8 +2,6 @@
 // threads.
 #include <gtest/gtest.h>
 
-#include <numeric>
-
 #include "tests/support/render.h"
 
 namespace lentray::test {
@@ -11,20 +9,26 @@ namespace {
 
 namespace fs = std::filesystem;
 
+/// Counted within the suite.
+std::size_t number_of_test() {
+  const ::testing::UnitTest& all = *::testing::UnitTest::GetInstance();
+  const ::testing::TestSuite& suite = *all.current_test_suite();
+  int number = 0;
+  while (suite.GetTestInfo(number) != all.current_test_info()) ++number;
+  return static_cast<std::size_t>(number);
+}
+
 /// The parameter: one of how many pairs of an order and a cache are tried. 1: all.
 class ImageIdentical : public ::testing::TestWithParam<std::size_t> {
  protected:
   void expect_identical(const std::vector<std::string>& scene);
-};
-/// Which pairs these are differs from test to test, so that together they try all.
-INSTANTIATE_TEST_SUITE_P(Some, ImageIdentical, ::testing::Values(4));
-INSTANTIATE_TEST_SUITE_P(Slow, ImageIdentical, ::testing::Values(1));
 
-/// The same for a test each time that it runs, another one for another test.
-std::size_t number_of_test() {
-  const std::string name = ::testing::UnitTest::GetInstance()->current_test_info()->name();
-  return std::accumulate(name.begin(), name.end(), std::size_t{0});
-}
+ private:
+  std::size_t m_scene = number_of_test();
+};
+/// Which pairs these are differs from scene to scene, so that together the tests try all.
+INSTANTIATE_TEST_SUITE_P(Some, ImageIdentical, ::testing::Values(8));
+INSTANTIATE_TEST_SUITE_P(Slow, ImageIdentical, ::testing::Values(1));
 
 /// Renders the scene in these ways and holds each picture against the first.
 void ImageIdentical::expect_identical(const std::vector<std::string>& scene) {
@@ -35,16 +39,17 @@ void ImageIdentical::expect_identical(const std::vector<std::string>& scene) {
   constexpr int kThreads[] = {1, 2, 5};
   const std::vector<std::vector<std::string>> accelerators{
       {}, {"Accelerator=grid"}, {"-UL", "Specialised_Paths=Off"}, {"Accelerator=list"}};
-  std::size_t run = 0, pair = 0;
-  // Every order with every cache; bands, threads and accelerators change from run to run, so that
-  // each meets every order and every cache.
+  const std::size_t number = m_scene++;
+  std::size_t run = number, pair = 0;
+  // Every order with every cache; bands, threads and accelerators change from run to run and from scene to scene,
+  // so that each meets every order and every cache.
   for (const char* order : {"rows", "views", "columns", "combined(4)", "strips(3,7)", "tiles",
                             "serpentine", "hilbert", "adaptive", "auto"}) {
     for (const char* cache :
          {"off", "last", "depth", "tree", "neighbourhood", "grid", "cascade", "auto"}) {
       const std::size_t row = pair / 8, column = pair % 8;
       ++pair;
-      if ((row + column + number_of_test()) % GetParam() != 0) continue;
+      if ((row + column + number) % GetParam() != 0) continue;
       const int threads = kThreads[(run + run / 7) % std::size(kThreads)];
       std::vector<std::string> arguments = scene;
       const std::vector<std::string> way{
@@ -304,7 +309,7 @@ class ImageIdenticalOccluders : public ImageIdentical {
   }
 };
 
-INSTANTIATE_TEST_SUITE_P(Some, ImageIdenticalOccluders, ::testing::Values(4));
+INSTANTIATE_TEST_SUITE_P(Some, ImageIdenticalOccluders, ::testing::Values(6));
 INSTANTIATE_TEST_SUITE_P(Slow, ImageIdenticalOccluders, ::testing::Values(1));
 
 TEST_P(ImageIdenticalOccluders, OrdinaryCamera) { expect({"+W96", "+H72"}); }

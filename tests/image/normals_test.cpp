@@ -6,7 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "tests/support/render.h"
-#include "tests/unit/material_reading.h"
+#include "tests/unit/material/material_reading.h"
 
 namespace lentray::parser::test {
 namespace {

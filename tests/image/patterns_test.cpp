@@ -5,7 +5,7 @@
 
 #include "parser/compile/pattern_compiler.h"
 #include "tests/image/stock_values.h"
-#include "tests/unit/material_reading.h"
+#include "tests/unit/material/material_reading.h"
 
 namespace lentray::parser::test {
 namespace {

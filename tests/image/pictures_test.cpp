@@ -7,7 +7,7 @@
 
 #include "core/image/reader.h"
 #include "tests/image/stock_values.h"
-#include "tests/unit/material_reading.h"
+#include "tests/unit/material/material_reading.h"
 
 namespace lentray::parser::test {
 namespace {

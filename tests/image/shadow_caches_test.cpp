@@ -33,6 +33,10 @@ class ImageShadowCaches : public ::testing::Test {
   void expect_nearly_all_hits(const ShadowCachesExtent& extent) const;
   void expect_nearly_all_hits_of_auto(const ShadowCachesExtent& extent) const;
   void expect_auto_to_test_least(const ShadowCachesExtent& extent) const;
+  void expect_auto_worth_having(std::span<const Small> scenes) const;
+  void expect_cascade_between(std::span<const Small> scenes) const;
+  void expect_order_of_auto_to_test_least(std::span<const Small> scenes) const;
+  void expect_adaptive_strips_best(std::span<const Small> scenes) const;
   nlohmann::json run(const Small& small, ShadowCachesWords more) const {
     return run_whole(small, std::move(more)).at("shadow");
   }
@@ -122,9 +126,9 @@ TEST_F(SlowShadowCaches, WithLightBuffersAutoTestsLessThanAnyCache) {
 }
 
 // Which cache it takes is its own affair: it must be worth having.
-TEST_F(ImageShadowCaches, WithoutLightBuffersAutoFindsMoreThanTheLastBlockerAndTestsLess) {
+void ImageShadowCaches::expect_auto_worth_having(std::span<const Small> scenes) const {
   double of_auto = 0.0, of_last = 0.0;
-  for (const Small& small : kSpd) {
+  for (const Small& small : scenes) {
     const auto with = [&](const char* cache) {
       return run(small, {"+W240", "+H180", "-UL", std::string("Shadow_Cache=") + cache});
     };
@@ -134,6 +138,13 @@ TEST_F(ImageShadowCaches, WithoutLightBuffersAutoFindsMoreThanTheLastBlockerAndT
     of_last += tests(last);
   }
   EXPECT_LT(of_auto, of_last);
+}
+
+TEST_F(ImageShadowCaches, WithoutLightBuffersAutoFindsMoreThanTheLastBlockerAndTestsLess) {
+  expect_auto_worth_having(kFew.scenes);
+}
+TEST_F(SlowShadowCaches, WithoutLightBuffersAutoFindsMoreThanTheLastBlockerAndTestsLess) {
+  expect_auto_worth_having(kSpd);
 }
 
 // Also where next to nothing is blocked, as of tetra and tree.
@@ -161,8 +172,8 @@ TEST_F(ImageShadowCaches, TheNeighbourhoodAsksLessThanTheLastBlockerAndFindsMore
   }
 }
 
-TEST_F(ImageShadowCaches, TheCascadeIsBetweenTheNeighbourhoodAndTheGrid) {
-  for (const Small& small : kSpd) {
+void ImageShadowCaches::expect_cascade_between(std::span<const Small> scenes) const {
+  for (const Small& small : scenes) {
     const auto with = [&](const char* cache) {
       return run(small, {"+W400", "+H300", "-UL", std::string("Shadow_Cache=") + cache})
           .at("cache");
@@ -174,10 +185,17 @@ TEST_F(ImageShadowCaches, TheCascadeIsBetweenTheNeighbourhoodAndTheGrid) {
   }
 }
 
+TEST_F(ImageShadowCaches, TheCascadeIsBetweenTheNeighbourhoodAndTheGrid) {
+  expect_cascade_between(kFew.scenes);
+}
+TEST_F(SlowShadowCaches, TheCascadeIsBetweenTheNeighbourhoodAndTheGrid) {
+  expect_cascade_between(kSpd);
+}
+
 // By counts of the cache `last`. Which of the orders it is does not matter.
-TEST_F(ImageShadowCaches, TheOrderOfAutoOnASheetTestsNoMoreThanAnyOther) {
+void ImageShadowCaches::expect_order_of_auto_to_test_least(std::span<const Small> scenes) const {
   std::map<std::string, double> of_order;
-  for (const Small& small : kSpd) {
+  for (const Small& small : scenes) {
     for (const char* order :
          {"auto", "rows", "views", "columns", "tiles", "serpentine", "hilbert", "strips(4,32)"}) {
       of_order[order] += tests(run(small, {"+W300", "+H200", "-UL", "Shadow_Cache=last",
@@ -187,9 +205,16 @@ TEST_F(ImageShadowCaches, TheOrderOfAutoOnASheetTestsNoMoreThanAnyOther) {
   for (const auto& [order, all] : of_order) EXPECT_LE(of_order["auto"], all) << order;
 }
 
-TEST_F(ImageShadowCaches, AdaptiveStripsBeatFixedOnes) {
+TEST_F(ImageShadowCaches, TheOrderOfAutoOnASheetTestsNoMoreThanAnyOther) {
+  expect_order_of_auto_to_test_least(kFew.scenes);
+}
+TEST_F(SlowShadowCaches, TheOrderOfAutoOnASheetTestsNoMoreThanAnyOther) {
+  expect_order_of_auto_to_test_least(kSpd);
+}
+
+void ImageShadowCaches::expect_adaptive_strips_best(std::span<const Small> scenes) const {
   double adaptive = 0.0, fixed = 0.0, rows = 0.0;
-  for (const Small& small : kSpd) {
+  for (const Small& small : scenes) {
     const ShadowCachesWords more{"+W300", "+H200", "-UL", "Shadow_Cache=last"};
     const auto hits = [&](const char* order) {
       ShadowCachesWords words = more;
@@ -203,6 +228,9 @@ TEST_F(ImageShadowCaches, AdaptiveStripsBeatFixedOnes) {
   EXPECT_GT(adaptive, fixed);
   EXPECT_GT(fixed, rows);
 }
+
+TEST_F(ImageShadowCaches, AdaptiveStripsBeatFixedOnes) { expect_adaptive_strips_best(kFew.scenes); }
+TEST_F(SlowShadowCaches, AdaptiveStripsBeatFixedOnes) { expect_adaptive_strips_best(kSpd); }
 
 }  // namespace
 }  // namespace lentray::test

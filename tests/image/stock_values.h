@@ -15,7 +15,7 @@
 #include "core/base/vec3.h"
 #include "parser/compile/pattern_compiler.h"
 #include "tests/support/render.h"
-#include "tests/unit/material_reading.h"
+#include "tests/unit/material/material_reading.h"
 
 namespace lentray::parser::test {
 

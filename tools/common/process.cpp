@@ -56,10 +56,12 @@ pid_t start_program(const std::vector<std::string>& command, const fs::path& fol
   std::vector<char*> arguments;
   for (std::string& word : words) arguments.push_back(word.data());
   arguments.push_back(nullptr);
+  const pid_t parent = ::getpid();
   const pid_t process = ::fork();
   if (process != 0) return process;
   // Async-signal-safe calls, but for what `first` does.
-  ::prctl(PR_SET_PDEATHSIG, SIGKILL);  // it must not outlive whoever waits for it
+  ::prctl(PR_SET_PDEATHSIG, SIGKILL);       // it must not outlive whoever waits for it,
+  if (::getppid() != parent) ::_exit(127);  // nor stay if that one ended before the call
   const int nothing = ::open("/dev/null", O_RDONLY);
   ::dup2(nothing, STDIN_FILENO);
   ::dup2(output, STDOUT_FILENO);
