@@ -3,6 +3,7 @@
 #include <array>
 #include <bit>
 #include <cstdint>
+#include <functional>
 #include <unordered_map>
 #include <utility>
 #include <vector>
@@ -81,9 +82,9 @@ class Cache {
 };
 
 /// The entries of a map, each compiled.
-template <typename Map, typename Compile>
-auto compiled_entries(const Map& map, Compile compile) {
-  std::vector<std::pair<double, decltype(compile(map.entries.front().item))>> entries;
+template <typename Map, typename Compile = std::identity>
+auto compiled_entries(const Map& map, Compile compile = {}) {
+  std::vector<std::pair<double, std::decay_t<decltype(compile(map.entries.front().item))>>> entries;
   for (const auto& entry : map.entries) entries.emplace_back(entry.value, compile(entry.item));
   return entries;
 }
@@ -194,7 +195,7 @@ core::PigmentPtr TextureCompiler::Impl::compile_fresh(const PigmentDesc& pigment
   }
   const auto map = colour_maps.get(pigment.colour_map, [&] {
     return std::make_shared<const core::BlendMap<core::Colour>>(
-        compiled_entries(*pigment.colour_map, [](const core::Colour& colour) { return colour; }));
+        compiled_entries(*pigment.colour_map));
   });
   return core::make_colour_map_pigment(std::move(placed), *map);
 }
@@ -237,11 +238,7 @@ core::NormalPtr TextureCompiler::Impl::compile_pattern_normal(const NormalDesc& 
                                        keep);
   }
   std::optional<core::BlendMap<core::SlopePoint>> slopes;
-  if (normal.slope_map) {
-    slopes.emplace(compiled_entries(*normal.slope_map, [](const SlopePoint& point) {
-      return core::SlopePoint{point.height, point.slope};
-    }));
-  }
+  if (normal.slope_map) slopes.emplace(compiled_entries(*normal.slope_map));
   return core::make_slope_normal(compile_placed(normal.pattern, core::Placement(), build),
                                  single(normal.amount), single(normal.accuracy), std::move(slopes),
                                  keep);
