@@ -130,7 +130,7 @@ class CameraReader {
     m_camera.max_ray_distance = next_float(m_parser, 0.0);
     Location where = m_parser.location();
     while (Ref<ObjectDesc> mesh = accept_object(m_parser, m_context)) {
-      if (!std::holds_alternative<std::shared_ptr<const MeshShape>>(mesh->shape)) {
+      if (!mesh->is_any<std::shared_ptr<const MeshShape>>()) {
         m_parser.fail_at(where, "a mesh_camera takes meshes, not a " + std::string(mesh->keyword));
       }
       m_camera.meshes.push_back(mesh);

@@ -19,16 +19,12 @@ core::Colour filter_as_transmit(const core::Colour& colour) {
 Ref<PigmentDesc> filter_as_transmit(const Ref<PigmentDesc>& pigment) {
   auto copy = std::make_shared<PigmentDesc>(*pigment);
   copy->colour = filter_as_transmit(pigment->colour);
-  if (pigment->colour_map) {
-    auto map = std::make_shared<ColourMapDesc>(*pigment->colour_map);
-    for (auto& entry : map->entries) entry.item = filter_as_transmit(entry.item);
-    copy->colour_map = map;
-  }
-  if (pigment->pigment_map) {
-    auto map = std::make_shared<PigmentMapDesc>(*pigment->pigment_map);
-    for (auto& entry : map->entries) entry.item = filter_as_transmit(entry.item);
-    copy->pigment_map = map;
-  }
+  const auto change = [](auto& map) {
+    if (!map) return;
+    for (auto& entry : edit(map).entries) entry.item = filter_as_transmit(entry.item);
+  };
+  change(copy->colour_map);
+  change(copy->pigment_map);
   return copy;
 }
 
