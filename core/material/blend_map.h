@@ -66,4 +66,9 @@ class BlendMap {
   std::shared_ptr<const Entries> m_entries;
 };
 
+/// Height and slope of a point of a slope_map.
+struct SlopePoint {
+  double height = 0.0, slope = 0.0;
+};
+
 }  // namespace lentray::core

@@ -34,11 +34,6 @@ DisplacementPtr make_quilted_displacement(double amount, double control0, double
 /// coords 0: facets by the normal, of a size; else by the point.
 DisplacementPtr make_facets_displacement(double size, double coords, double metric);
 
-/// Height and slope of a point of a slope_map.
-struct SlopePoint {
-  double height = 0.0, slope = 0.0;
-};
-
 /// `keep_scale` is no_bump_scale: the transforms' scale then changes the apparent depth.
 NormalPtr make_displaced_normal(Placement placement, DisplacementPtr displacement, bool keep_scale);
 /// The slope of a pattern, from samples `accuracy` away.

@@ -1,6 +1,5 @@
 #include "parser/compile/cutaways.h"
 
-#include "core/object/csg.h"
 #include "core/object/gated.h"
 
 #include <algorithm>
@@ -19,12 +18,7 @@ core::Csg* as_csg(core::Object& object, const ObjectDesc& desc) {
 /// What an inversion has made another kind of CSG: stock forgets there that it was a difference,
 /// and that parts have textures.
 bool is_changed(const core::Csg& csg, CsgOperation operation) {
-  switch (operation) {
-    case CsgOperation::kMerge: return csg.kind() != core::CsgKind::kMerge;
-    case CsgOperation::kIntersection: return csg.kind() != core::CsgKind::kIntersection;
-    case CsgOperation::kDifference: return csg.kind() != core::CsgKind::kDifference;
-    default: return csg.kind() != core::CsgKind::kUnion;
-  }
+  return csg.kind() != csg_kind(operation);
 }
 
 bool intersects(core::CsgKind kind) {
@@ -33,8 +27,7 @@ bool intersects(core::CsgKind kind) {
 
 bool has_element_textures(const ObjectDesc& desc) {
   const auto* blob = std::get_if<std::shared_ptr<const BlobShape>>(&desc.shape);
-  return blob && std::any_of((*blob)->elements.begin(), (*blob)->elements.end(),
-                             [](const BlobElement& e) { return e.texture != nullptr; });
+  return blob && (*blob)->has_textures();
 }
 
 /// For a text, for its glyphs too.
@@ -48,6 +41,17 @@ void set_texture(core::Object& object, const core::Texture* texture) {
 }
 
 }  // namespace
+
+core::CsgKind csg_kind(CsgOperation operation) {
+  switch (operation) {
+    case CsgOperation::kMerge: return core::CsgKind::kMerge;
+    case CsgOperation::kIntersection: return core::CsgKind::kIntersection;
+    case CsgOperation::kDifference: return core::CsgKind::kDifference;
+    case CsgOperation::kUnion:
+    case CsgOperation::kLightGroup: break;
+  }
+  return core::CsgKind::kUnion;
+}
 
 /// What holds for the parts of an object.
 struct Cutaways::Around {

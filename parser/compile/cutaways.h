@@ -10,10 +10,14 @@
 #include <vector>
 
 #include "core/material/cutaway_texture.h"
+#include "core/object/csg.h"
 #include "core/object/object.h"
 #include "parser/descriptions/object.h"
 
 namespace lentray::parser {
+
+/// The kind that a CSG is built as; what inverts it changes that.
+core::CsgKind csg_kind(CsgOperation operation);
 
 class Cutaways {
  public:

@@ -22,17 +22,6 @@
 namespace lentray::parser {
 namespace {
 
-core::CsgKind csg_kind(CsgOperation operation) {
-  switch (operation) {
-    case CsgOperation::kMerge: return core::CsgKind::kMerge;
-    case CsgOperation::kIntersection: return core::CsgKind::kIntersection;
-    case CsgOperation::kDifference: return core::CsgKind::kDifference;
-    case CsgOperation::kUnion:
-    case CsgOperation::kLightGroup: return core::CsgKind::kUnion;
-  }
-  return core::CsgKind::kUnion;
-}
-
 /// Parts without an interior of their own share the whole's, and the last of them says for all whether it is
 /// hollow.
 std::optional<bool> shared_hollow(const ObjectDesc& object, std::optional<bool> from) {
@@ -347,9 +336,7 @@ std::unique_ptr<core::Object> ObjectBuilder::build_leaf(const ObjectDesc& object
 /// The textures of a blob's elements, mixed; those without have the blob's.
 void ObjectBuilder::add_element_textures(const BlobShape& blob, const core::Transform& to_world,
                                          core::Object& out) {
-  const bool has_any = std::any_of(blob.elements.begin(), blob.elements.end(),
-                                   [](const BlobElement& e) { return e.texture != nullptr; });
-  if (!has_materials() || !has_any) return;
+  if (!has_materials() || !blob.has_textures()) return;
   core::Attributes looks = out.attributes();
   const std::shared_ptr<const core::Texture> own(std::shared_ptr<void>(), looks.texture);
   const std::vector<core::BlobField> fields = blob_fields(blob);

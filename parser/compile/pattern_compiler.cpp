@@ -19,7 +19,7 @@
 namespace lentray::parser {
 namespace {
 
-core::Turbulence compile_turbulence(const TurbulenceDesc& t) {
+core::Turbulence compile_turbulence(const core::Turbulence& t) {
   return {t.amount, t.octaves, single(t.lambda), single(t.omega)};
 }
 
@@ -50,10 +50,7 @@ core::WarpPtr compile_warp(const WarpDesc& warp, PatternKind pattern) {
       return core::make_turbulence_warp(compile_turbulence(own.turbulence));
     case WarpDesc::Kind::kRepeat:
       return core::make_repeat_warp(own.axis, single(own.width), own.flip, own.offset);
-    case WarpDesc::Kind::kBlackHole:
-      return core::make_black_hole_warp({own.centre, own.repeat, own.uncertainty, own.radius,
-                                         own.strength, own.power, own.inverse, own.repeats,
-                                         own.uncertain});
+    case WarpDesc::Kind::kBlackHole: return core::make_black_hole_warp(own.hole);
     case WarpDesc::Kind::kSpherical:
       return core::make_spherical_warp(own.orientation, own.distance_exponent);
     case WarpDesc::Kind::kToroidal:
@@ -225,14 +222,7 @@ core::Wave compile_wave(const PatternDesc& pattern) {
   wave.frequency = single(pattern.frequency);
   wave.phase = single(pattern.phase);
   wave.exponent = single(pattern.wave_exponent);
-  switch (pattern.wave) {
-    case WaveForm::kRamp: wave.form = core::Wave::Form::kRamp; break;
-    case WaveForm::kTriangle: wave.form = core::Wave::Form::kTriangle; break;
-    case WaveForm::kSine: wave.form = core::Wave::Form::kSine; break;
-    case WaveForm::kScallop: wave.form = core::Wave::Form::kScallop; break;
-    case WaveForm::kCubic: wave.form = core::Wave::Form::kCubic; break;
-    case WaveForm::kPoly: wave.form = core::Wave::Form::kPoly; break;
-  }
+  wave.form = pattern.wave;
   return wave;
 }
 

@@ -134,12 +134,11 @@ void warn_about_gamma(const SceneDesc& scene, Diagnostics& diagnostics) {
 
 bool any_random_media(const core::SceneParts& parts) {
   const auto any = [](const std::vector<std::shared_ptr<const core::Medium>>& media) {
-    return std::any_of(media.begin(), media.end(),
-                       [](const auto& medium) { return medium->sampling.is_random(); });
+    return std::ranges::any_of(media, [](const auto& m) { return m->sampling.is_random(); });
   };
   return any(parts.atmosphere.media) ||
-         std::any_of(parts.interiors.begin(), parts.interiors.end(),
-                     [&](const auto& interior) { return any(interior->media); });
+         std::ranges::any_of(parts.interiors,
+                             [&](const auto& inside) { return any(inside->media); });
 }
 
 /// Once for each thing that the picture shows and that is random in stock: what include files declare does not count.
@@ -155,13 +154,11 @@ void warn_of_random_numbers(const core::SceneParts& parts, const TextureCompiler
   };
   warn(textures.has_crand(), "crand");
   warn(textures.has_subsurface(), "subsurface light");
-  warn(std::any_of(parts.lights.begin(), parts.lights.end(),
-                   [](const core::Light& light) { return light.has_area && light.area.jitter; }),
-       "jitter of area lights");
+  const auto jitters = [](const core::Light& light) { return light.has_area && light.area.jitter; };
+  warn(std::ranges::any_of(parts.lights, jitters), "jitter of area lights");
   warn(any_random_media(parts), "sampling of media");
-  warn(std::any_of(parts.atmosphere.rainbows.begin(), parts.atmosphere.rainbows.end(),
-                   [](const core::Rainbow& rainbow) { return rainbow.jitter > 0.0; }),
-       "jitter of rainbows");
+  const auto shakes = [](const core::Rainbow& rainbow) { return rainbow.jitter > 0.0; };
+  warn(std::ranges::any_of(parts.atmosphere.rainbows, shakes), "jitter of rainbows");
 }
 
 void warn_about_subsurface(const SceneDesc& scene, const TextureCompiler& textures,

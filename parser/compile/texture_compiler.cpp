@@ -3,6 +3,7 @@
 #include <array>
 #include <bit>
 #include <cstdint>
+#include <functional>
 #include <unordered_map>
 #include <utility>
 #include <vector>
@@ -81,9 +82,9 @@ class Cache {
 };
 
 /// The entries of a map, each compiled.
-template <typename Map, typename Compile>
-auto compiled_entries(const Map& map, Compile compile) {
-  std::vector<std::pair<double, decltype(compile(map.entries.front().item))>> entries;
+template <typename Map, typename Compile = std::identity>
+auto compiled_entries(const Map& map, Compile compile = {}) {
+  std::vector<std::pair<double, std::decay_t<decltype(compile(map.entries.front().item))>>> entries;
   for (const auto& entry : map.entries) entries.emplace_back(entry.value, compile(entry.item));
   return entries;
 }
@@ -121,224 +122,203 @@ struct TextureCompiler::Impl {
                                                 return pictures.get(image, false);
                                               }} {}
 
-  core::PigmentPtr compile(const Ref<PigmentDesc>& pigment, const core::Placement& outer);
-  core::PigmentPtr compile_fresh(const PigmentDesc& pigment, const core::Placement& outer);
-  core::NormalPtr compile(const Ref<NormalDesc>& normal);
-  core::NormalPtr compile_fresh(const NormalDesc& normal);
-  core::NormalPtr compile_pattern_normal(const NormalDesc& normal);
-  core::DisplacementPtr compile_displacement(const NormalDesc& normal);
-  std::shared_ptr<const core::Finish> compile(const Ref<FinishDesc>& finish);
-  core::TexturePtr compile(const Ref<TextureDesc>& texture, const core::Placement& outer);
-  core::TexturePtr compile_fresh(const TextureDesc& texture, const core::Placement& outer);
-  core::TexturePtr compile_patterned(const TextureLayerDesc& layer, const core::Placement& outer);
-  core::TextureLayer compile_layer(const TextureLayerDesc& layer, const core::Placement& outer);
-  bool is_plain(const TextureDesc& texture) const;
-  core::TexturePtr compile_plain(const TextureLayerDesc& layer);
-};
-
-/// Whether it is one colour everywhere, as most are.
-bool TextureCompiler::Impl::is_plain(const TextureDesc& texture) const {
-  return settings.quality > kQuickColourQuality && texture.layers.size() == 1 &&
-         texture.layers.front().is_plain();
-}
-
-core::TexturePtr TextureCompiler::Impl::compile_plain(const TextureLayerDesc& layer) {
-  const core::Colour& colour = layer.pigment->colour;
-  auto finish = compile(layer.finish);
-  Plain& same = plain[place_of(colour, finish.get())];
-  if (!same.made || same.finish != finish || same.colour != colour) {
-    std::vector<core::TextureLayer> one{{core::make_plain_pigment(colour), finish}};
-    made.push_back(std::make_shared<core::LayeredTexture>(std::move(one)));
-    same = {colour, std::move(finish), made.back()};
+  /// Whether it is one colour everywhere, as most are.
+  bool is_plain(const TextureDesc& texture) const {
+    return settings.quality > kQuickColourQuality && texture.layers.size() == 1 &&
+           texture.layers.front().is_plain();
   }
-  return same.made;
-}
 
-core::PigmentPtr TextureCompiler::Impl::compile(const Ref<PigmentDesc>& pigment,
-                                                const core::Placement& outer) {
-  if (!outer.is_none()) return compile_fresh(*pigment, outer);
-  return pigments.get(pigment, [&] { return compile_fresh(*pigment, outer); });
-}
+  core::TexturePtr compile_plain(const TextureLayerDesc& layer) {
+    const core::Colour& colour = layer.pigment->colour;
+    auto finish = compile(layer.finish);
+    Plain& same = plain[place_of(colour, finish.get())];
+    if (!same.made || same.finish != finish || same.colour != colour) {
+      std::vector<core::TextureLayer> one{{core::make_plain_pigment(colour), finish}};
+      made.push_back(std::make_shared<core::LayeredTexture>(std::move(one)));
+      same = {colour, std::move(finish), made.back()};
+    }
+    return same.made;
+  }
 
-core::PigmentPtr TextureCompiler::Impl::compile_fresh(const PigmentDesc& pigment,
-                                                      const core::Placement& outer) {
-  if (settings.quality <= kQuickColourQuality && pigment.quick_colour) {
-    return core::make_plain_pigment(*pigment.quick_colour);
+  core::PigmentPtr compile(const Ref<PigmentDesc>& pigment, const core::Placement& outer) {
+    if (!outer.is_none()) return compile_fresh(*pigment, outer);
+    return pigments.get(pigment, [&] { return compile_fresh(*pigment, outer); });
   }
-  const PatternDesc& pattern = pigment.pattern;
-  if (pattern.kind == PatternKind::kPlain) return core::make_plain_pigment(pigment.colour);
-  if (pattern.kind == PatternKind::kImageMap) {
-    return core::make_picture_pigment(outer.then(compile_placement(pattern)),
-                                      pictures.get(*pattern.own->image, true));
+
+  core::PigmentPtr compile_fresh(const PigmentDesc& pigment, const core::Placement& outer) {
+    if (settings.quality <= kQuickColourQuality && pigment.quick_colour) {
+      return core::make_plain_pigment(*pigment.quick_colour);
+    }
+    const PatternDesc& pattern = pigment.pattern;
+    if (pattern.kind == PatternKind::kPlain) return core::make_plain_pigment(pigment.colour);
+    if (pattern.kind == PatternKind::kImageMap) {
+      return core::make_picture_pigment(outer.then(compile_placement(pattern)),
+                                        pictures.get(*pattern.own->image, true));
+    }
+    if (pattern.kind == PatternKind::kUvMapping) {
+      if (!pigment.pigment_map) return core::make_plain_pigment(first_colour(pigment));
+      const auto inner = compile(pigment.pigment_map->entries.front().item, core::Placement());
+      return core::make_placed_pigment(uv_placement(), inner);
+    }
+    std::vector<std::pair<double, core::PigmentPtr>> entries;
+    if (pigment.pigment_map) {
+      entries = compiled_entries(*pigment.pigment_map, [&](const Ref<PigmentDesc>& item) {
+        return compile(item, core::Placement());
+      });
+    }
+    if (pattern.kind == PatternKind::kAverage) {
+      return core::make_average_pigment(outer.then(compile_placement(pattern)), std::move(entries));
+    }
+    core::PlacedPattern placed = compile_placed(pattern, outer, build);
+    if (!entries.empty()) {
+      return core::make_pigment_map_pigment(std::move(placed), core::BlendMap(std::move(entries)));
+    }
+    if (!pigment.colour_map) {
+      return core::make_colour_map_pigment(std::move(placed), default_colours(pattern.kind));
+    }
+    const auto map = colour_maps.get(pigment.colour_map, [&] {
+      return std::make_shared<const core::BlendMap<core::Colour>>(
+          compiled_entries(*pigment.colour_map));
+    });
+    return core::make_colour_map_pigment(std::move(placed), *map);
   }
-  if (pattern.kind == PatternKind::kUvMapping) {
-    if (!pigment.pigment_map) return core::make_plain_pigment(first_colour(pigment));
-    const auto inner = compile(pigment.pigment_map->entries.front().item, core::Placement());
-    return core::make_placed_pigment(uv_placement(), inner);
+
+  core::NormalPtr compile(const Ref<NormalDesc>& normal) {
+    if (!normal || settings.quality < kNormalQuality) return nullptr;
+    return normals.get(normal, [&] { return compile_fresh(*normal); });
   }
-  std::vector<std::pair<double, core::PigmentPtr>> entries;
-  if (pigment.pigment_map) {
-    entries = compiled_entries(*pigment.pigment_map, [&](const Ref<PigmentDesc>& item) {
-      return compile(item, core::Placement());
+
+  core::DisplacementPtr compile_displacement(const NormalDesc& normal) {
+    const PatternDesc& p = normal.pattern;
+    const double amount = single(normal.amount);
+    switch (p.kind) {
+      case PatternKind::kBumps: return core::make_bumps_displacement(amount);
+      case PatternKind::kDents:
+        return core::make_dents_displacement(amount, noise_generator(p, settings));
+      case PatternKind::kWrinkles: return core::make_wrinkles_displacement(amount);
+      case PatternKind::kRipples:
+        return core::make_ripples_displacement(amount, settings.number_of_waves,
+                                               single(p.frequency), single(p.phase));
+      case PatternKind::kWaves:
+        return core::make_waves_displacement(amount, settings.number_of_waves, single(p.frequency),
+                                             single(p.phase));
+      case PatternKind::kQuilted:
+        return core::make_quilted_displacement(amount, single(p.own->quilt0),
+                                               single(p.own->quilt1));
+      case PatternKind::kFacets:
+        return core::make_facets_displacement(p.own->facets_size, p.own->facets_coords,
+                                              p.own->facets_metric);
+      case PatternKind::kBumpMap:
+        return core::make_picture_displacement(pictures.get(*p.own->image, false), amount,
+                                               p.own->image->use == ImageDesc::Use::kIndex);
+      default: return nullptr;
+    }
+  }
+
+  core::NormalPtr compile_pattern_normal(const NormalDesc& normal) {
+    const bool keep = normal.no_bump_scale;
+    if (auto displacement = compile_displacement(normal)) {
+      return core::make_displaced_normal(compile_placement(normal.pattern), std::move(displacement),
+                                         keep);
+    }
+    std::optional<core::BlendMap<core::SlopePoint>> slopes;
+    if (normal.slope_map) slopes.emplace(compiled_entries(*normal.slope_map));
+    return core::make_slope_normal(compile_placed(normal.pattern, core::Placement(), build),
+                                   single(normal.amount), single(normal.accuracy),
+                                   std::move(slopes), keep);
+  }
+
+  core::NormalPtr compile_fresh(const NormalDesc& normal) {
+    const PatternDesc& pattern = normal.pattern;
+    if (pattern.kind == PatternKind::kPlain) return nullptr;
+    if (pattern.kind == PatternKind::kUvMapping) {
+      if (!normal.normal_map) return nullptr;
+      auto inner = compile(normal.normal_map->entries.front().item);
+      return inner ? core::make_placed_normal(uv_placement(), std::move(inner), false) : nullptr;
+    }
+    if (!normal.normal_map) return compile_pattern_normal(normal);
+    auto entries = compiled_entries(*normal.normal_map,
+                                    [&](const Ref<NormalDesc>& item) { return compile(item); });
+    if (pattern.kind == PatternKind::kAverage) {
+      return core::make_average_normal(compile_placement(pattern), std::move(entries),
+                                       normal.no_bump_scale);
+    }
+    return core::make_normal_map(compile_placed(pattern, core::Placement(), build),
+                                 core::BlendMap(std::move(entries)), normal.no_bump_scale);
+  }
+
+  std::shared_ptr<const core::Finish> compile(const Ref<FinishDesc>& finish) {
+    return finishes.get(finish, [&] {
+      auto compiled = std::make_shared<const core::Finish>(
+          compile_finish(*finish, settings.least_translucency));
+      if (compiled->subsurface) {
+        has_subsurface = true;
+        const bool is_as_written =
+            compiled->subsurface->translucency == finish->subsurface->translucency;
+        if (!too_opaque && !is_as_written) too_opaque = finish;
+      }
+      has_crand = has_crand || compiled->crand > 0.0;
+      return compiled;
     });
   }
-  if (pattern.kind == PatternKind::kAverage) {
-    return core::make_average_pigment(outer.then(compile_placement(pattern)), std::move(entries));
-  }
-  core::PlacedPattern placed = compile_placed(pattern, outer, build);
-  if (!entries.empty()) {
-    return core::make_pigment_map_pigment(std::move(placed), core::BlendMap(std::move(entries)));
-  }
-  if (!pigment.colour_map) {
-    return core::make_colour_map_pigment(std::move(placed), default_colours(pattern.kind));
-  }
-  const auto map = colour_maps.get(pigment.colour_map, [&] {
-    return std::make_shared<const core::BlendMap<core::Colour>>(
-        compiled_entries(*pigment.colour_map, [](const core::Colour& colour) { return colour; }));
-  });
-  return core::make_colour_map_pigment(std::move(placed), *map);
-}
 
-core::NormalPtr TextureCompiler::Impl::compile(const Ref<NormalDesc>& normal) {
-  if (!normal || settings.quality < kNormalQuality) return nullptr;
-  return normals.get(normal, [&] { return compile_fresh(*normal); });
-}
-
-core::DisplacementPtr TextureCompiler::Impl::compile_displacement(const NormalDesc& normal) {
-  const PatternDesc& p = normal.pattern;
-  const double amount = single(normal.amount);
-  switch (p.kind) {
-    case PatternKind::kBumps: return core::make_bumps_displacement(amount);
-    case PatternKind::kDents:
-      return core::make_dents_displacement(amount, noise_generator(p, settings));
-    case PatternKind::kWrinkles: return core::make_wrinkles_displacement(amount);
-    case PatternKind::kRipples:
-      return core::make_ripples_displacement(amount, settings.number_of_waves, single(p.frequency),
-                                             single(p.phase));
-    case PatternKind::kWaves:
-      return core::make_waves_displacement(amount, settings.number_of_waves, single(p.frequency),
-                                           single(p.phase));
-    case PatternKind::kQuilted:
-      return core::make_quilted_displacement(amount, single(p.own->quilt0), single(p.own->quilt1));
-    case PatternKind::kFacets:
-      return core::make_facets_displacement(p.own->facets_size, p.own->facets_coords,
-                                            p.own->facets_metric);
-    case PatternKind::kBumpMap:
-      return core::make_picture_displacement(pictures.get(*p.own->image, false), amount,
-                                             p.own->image->use == ImageDesc::Use::kIndex);
-    default: return nullptr;
-  }
-}
-
-core::NormalPtr TextureCompiler::Impl::compile_pattern_normal(const NormalDesc& normal) {
-  const bool keep = normal.no_bump_scale;
-  if (auto displacement = compile_displacement(normal)) {
-    return core::make_displaced_normal(compile_placement(normal.pattern), std::move(displacement),
-                                       keep);
-  }
-  std::optional<core::BlendMap<core::SlopePoint>> slopes;
-  if (normal.slope_map) {
-    slopes.emplace(compiled_entries(*normal.slope_map, [](const SlopePoint& point) {
-      return core::SlopePoint{point.height, point.slope};
-    }));
-  }
-  return core::make_slope_normal(compile_placed(normal.pattern, core::Placement(), build),
-                                 single(normal.amount), single(normal.accuracy), std::move(slopes),
-                                 keep);
-}
-
-core::NormalPtr TextureCompiler::Impl::compile_fresh(const NormalDesc& normal) {
-  const PatternDesc& pattern = normal.pattern;
-  if (pattern.kind == PatternKind::kPlain) return nullptr;
-  if (pattern.kind == PatternKind::kUvMapping) {
-    if (!normal.normal_map) return nullptr;
-    auto inner = compile(normal.normal_map->entries.front().item);
-    return inner ? core::make_placed_normal(uv_placement(), std::move(inner), false) : nullptr;
-  }
-  if (!normal.normal_map) return compile_pattern_normal(normal);
-  auto entries = compiled_entries(*normal.normal_map,
-                                  [&](const Ref<NormalDesc>& item) { return compile(item); });
-  if (pattern.kind == PatternKind::kAverage) {
-    return core::make_average_normal(compile_placement(pattern), std::move(entries),
-                                     normal.no_bump_scale);
-  }
-  return core::make_normal_map(compile_placed(pattern, core::Placement(), build),
-                               core::BlendMap(std::move(entries)), normal.no_bump_scale);
-}
-
-std::shared_ptr<const core::Finish> TextureCompiler::Impl::compile(const Ref<FinishDesc>& finish) {
-  return finishes.get(finish, [&] {
-    auto compiled =
-        std::make_shared<const core::Finish>(compile_finish(*finish, settings.least_translucency));
-    if (compiled->subsurface) {
-      has_subsurface = true;
-      const bool is_as_written =
-          compiled->subsurface->translucency == finish->subsurface->translucency;
-      if (!too_opaque && !is_as_written) too_opaque = finish;
+  core::TextureLayer compile_layer(const TextureLayerDesc& layer, const core::Placement& outer) {
+    core::TextureLayer result;
+    result.pigment = compile(layer.pigment, outer);
+    result.finish = compile(layer.finish);
+    result.normal = compile(layer.normal);
+    // A kept scale leaves the length free; the tracer wants it 1.
+    if (result.normal && (!outer.is_none() || layer.normal->no_bump_scale)) {
+      result.normal = core::make_placed_normal(outer, result.normal, false);
     }
-    has_crand = has_crand || compiled->crand > 0.0;
-    return compiled;
-  });
-}
-
-core::TextureLayer TextureCompiler::Impl::compile_layer(const TextureLayerDesc& layer,
-                                                        const core::Placement& outer) {
-  core::TextureLayer result;
-  result.pigment = compile(layer.pigment, outer);
-  result.finish = compile(layer.finish);
-  result.normal = compile(layer.normal);
-  // A kept scale leaves the length free; the tracer wants it 1.
-  if (result.normal && (!outer.is_none() || layer.normal->no_bump_scale)) {
-    result.normal = core::make_placed_normal(outer, result.normal, false);
+    return result;
   }
-  return result;
-}
 
-core::TexturePtr TextureCompiler::Impl::compile_patterned(const TextureLayerDesc& layer,
-                                                          const core::Placement& outer) {
-  const PatternDesc& pattern = *layer.pattern;
-  if (pattern.kind == PatternKind::kUvMapping) {
-    // Where the point lies does not matter then, but normals follow the transforms.
-    return compile(layer.map->entries.front().item,
-                   outer.then(compile_placement(pattern)).then(uv_placement()));
+  core::TexturePtr compile_patterned(const TextureLayerDesc& layer, const core::Placement& outer) {
+    const PatternDesc& pattern = *layer.pattern;
+    if (pattern.kind == PatternKind::kUvMapping) {
+      // Where the point lies does not matter then, but normals follow the transforms.
+      return compile(layer.map->entries.front().item,
+                     outer.then(compile_placement(pattern)).then(uv_placement()));
+    }
+    // Entries are evaluated where the pattern is: its placement goes into them.
+    const core::Placement inner = outer.then(compile_placement(pattern));
+    auto entries = compiled_entries(
+        *layer.map, [&](const Ref<TextureDesc>& item) { return compile(item, inner); });
+    if (pattern.kind == PatternKind::kAverage)
+      return core::make_average_texture(std::move(entries));
+    if (pattern.kind == PatternKind::kMaterialMap) {
+      std::vector<core::TexturePtr> materials;
+      for (auto& entry : entries) materials.push_back(std::move(entry.second));
+      // Numbers of textures are what the file holds, whatever its gamma.
+      return core::make_material_map(inner, pictures.get(*pattern.own->image, false),
+                                     std::move(materials));
+    }
+    core::PlacedPattern placed{inner, compile_pattern(pattern, build), compile_wave(pattern)};
+    return core::make_texture_map(std::move(placed), core::BlendMap(std::move(entries)));
   }
-  // Entries are evaluated where the pattern is: its placement goes into them.
-  const core::Placement inner = outer.then(compile_placement(pattern));
-  auto entries = compiled_entries(
-      *layer.map, [&](const Ref<TextureDesc>& item) { return compile(item, inner); });
-  if (pattern.kind == PatternKind::kAverage) return core::make_average_texture(std::move(entries));
-  if (pattern.kind == PatternKind::kMaterialMap) {
-    std::vector<core::TexturePtr> materials;
-    for (auto& entry : entries) materials.push_back(std::move(entry.second));
-    // Numbers of textures are what the file holds, whatever its gamma.
-    return core::make_material_map(inner, pictures.get(*pattern.own->image, false),
-                                   std::move(materials));
+
+  core::TexturePtr compile(const Ref<TextureDesc>& texture, const core::Placement& outer) {
+    if (!outer.is_none()) return compile_fresh(*texture, outer);
+    return textures.get(texture, [&] { return compile_fresh(*texture, outer); });
   }
-  core::PlacedPattern placed{inner, compile_pattern(pattern, build), compile_wave(pattern)};
-  return core::make_texture_map(std::move(placed), core::BlendMap(std::move(entries)));
-}
 
-core::TexturePtr TextureCompiler::Impl::compile(const Ref<TextureDesc>& texture,
-                                                const core::Placement& outer) {
-  if (!outer.is_none()) return compile_fresh(*texture, outer);
-  return textures.get(texture, [&] { return compile_fresh(*texture, outer); });
-}
-
-core::TexturePtr TextureCompiler::Impl::compile_fresh(const TextureDesc& texture,
-                                                      const core::Placement& outer) {
-  // A patterned texture is never layered: the grammar refuses it.
-  if (texture.layers.back().is_patterned()) return compile_patterned(texture.layers.back(), outer);
-  std::vector<core::TextureLayer> layers;
-  if (settings.quality <= kUnlitQuality) {
-    // Of layers stock shows the bottom one.
-    auto pigment = core::make_opaque_pigment(compile(texture.layers.front().pigment, outer));
-    layers.push_back({std::move(pigment), unlit_finish(), nullptr});
+  core::TexturePtr compile_fresh(const TextureDesc& texture, const core::Placement& outer) {
+    // A patterned texture is never layered: the grammar refuses it.
+    if (texture.layers.back().is_patterned())
+      return compile_patterned(texture.layers.back(), outer);
+    std::vector<core::TextureLayer> layers;
+    if (settings.quality <= kUnlitQuality) {
+      // Of layers stock shows the bottom one.
+      auto pigment = core::make_opaque_pigment(compile(texture.layers.front().pigment, outer));
+      layers.push_back({std::move(pigment), unlit_finish(), nullptr});
+      return std::make_shared<core::LayeredTexture>(std::move(layers));
+    }
+    for (const TextureLayerDesc& layer : texture.layers)
+      layers.push_back(compile_layer(layer, outer));
     return std::make_shared<core::LayeredTexture>(std::move(layers));
   }
-  for (const TextureLayerDesc& layer : texture.layers)
-    layers.push_back(compile_layer(layer, outer));
-  return std::make_shared<core::LayeredTexture>(std::move(layers));
-}
+};
 
 TextureCompiler::TextureCompiler(const TextureSettings& settings)
     : m_impl(std::make_unique<Impl>(settings)) {}

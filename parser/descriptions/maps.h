@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/base/color.h"
+#include "core/material/blend_map.h"
 #include "parser/source/source.h"
 #include "parser/values/value.h"
 
@@ -18,10 +19,6 @@ struct BlendEntry {
   Item item{};
 };
 
-struct SlopePoint {
-  double height = 0.0, slope = 0.0;
-};
-
 template <typename Item>
 struct BlendMapDesc {
   Location where;
@@ -30,7 +27,7 @@ struct BlendMapDesc {
 struct ColourMapDesc : BlendMapDesc<core::Colour> {};
 struct PigmentMapDesc : BlendMapDesc<Ref<PigmentDesc>> {};
 struct NormalMapDesc : BlendMapDesc<Ref<NormalDesc>> {};
-struct SlopeMapDesc : BlendMapDesc<SlopePoint> {};
+struct SlopeMapDesc : BlendMapDesc<core::SlopePoint> {};
 struct TextureMapDesc : BlendMapDesc<Ref<TextureDesc>> {};
 struct DensityMapDesc : BlendMapDesc<Ref<DensityDesc>> {};
 

@@ -80,7 +80,12 @@ struct ObjectDesc {
 
   mutable CompiledSlot compiled;
 
-  bool is_light() const { return std::holds_alternative<LightShape>(shape); }
+  /// Whether its shape is of one of these kinds.
+  template <typename... Shapes>
+  bool is_any() const {
+    return (std::holds_alternative<Shapes>(shape) || ...);
+  }
+  bool is_light() const { return is_any<LightShape>(); }
   const CsgShape* csg() const { return std::get_if<CsgShape>(&shape); }
 };
 

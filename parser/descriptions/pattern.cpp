@@ -13,7 +13,7 @@ const char* pattern_name(PatternKind kind) {
   return "";
 }
 
-TurbulenceDesc& PatternDesc::classic_turbulence() {
+core::Turbulence& PatternDesc::classic_turbulence() {
   if (placement.empty() || placement.front().kind != WarpDesc::Kind::kClassicTurbulence) {
     WarpDesc warp;
     warp.kind = WarpDesc::Kind::kClassicTurbulence;

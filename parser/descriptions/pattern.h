@@ -13,6 +13,8 @@
 
 #include "core/base/transform.h"
 #include "core/base/vec3.h"
+#include "core/pattern/pattern.h"
+#include "core/pattern/placement.h"
 #include "parser/base/edit.h"
 #include "parser/base/sparse.h"
 #include "parser/descriptions/nesting.h"
@@ -30,25 +32,16 @@ enum class PatternKind {
 /// The keyword of a pattern, for messages.
 const char* pattern_name(PatternKind kind);
 
-enum class WaveForm { kRamp, kTriangle, kSine, kScallop, kCubic, kPoly };
-
-struct TurbulenceDesc {
-  core::Vec3 amount;
-  int octaves = 6;
-  double lambda = 2.0, omega = 0.5;
-};
+using WaveForm = core::Wave::Form;
 
 /// What warps have that are no transforms.
 struct WarpParameters {
-  TurbulenceDesc turbulence;
+  core::Turbulence turbulence;
   // repeat
   int axis = 0;
   double width = 0.0;
   core::Vec3 flip{1, 1, 1}, offset;
-  // black_hole
-  core::Vec3 centre, repeat, uncertainty;
-  double radius = 1.0, strength = 1.0, power = 2.0;
-  bool inverse = false, repeats = false, uncertain = false;
+  core::BlackHole hole;
   // mappings
   core::Vec3 orientation{0, 0, 1};
   double distance_exponent = 0.0, major_radius = 1.0, plane_offset = 0.0;
@@ -145,7 +138,7 @@ struct PatternDesc {
   Nesting nesting;  ///< of the statement the pattern belongs to, its map included
 
   /// The one turbulence outside warps, made if there is none yet.
-  TurbulenceDesc& classic_turbulence();
+  core::Turbulence& classic_turbulence();
   void transform(const core::Transform& by);
 };
 

@@ -4,6 +4,7 @@
 // "Infinite Solid Primitives", "Constructive Solid Geometry".
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <memory>
 #include <optional>
@@ -138,6 +139,9 @@ LENTRAY_FIELDS(BlobElement, kind, a, b, radius, strength, transform, texture)
 struct BlobShape {
   double threshold = 1.0;
   std::vector<BlobElement> elements;
+  bool has_textures() const {
+    return std::ranges::any_of(elements, [](const auto& e) { return e.texture != nullptr; });
+  }
 };
 LENTRAY_FIELDS(BlobShape, threshold, elements)
 

@@ -38,17 +38,18 @@ LENTRAY_FIELDS(FinishDesc, where, ambient, emission, diffuse, diffuse_back, albe
                diffuse_albedo, brilliance, phong, phong_size, phong_albedo, specular, roughness,
                specular_albedo, metallic, reflection, reflection_exponent, conserve_energy, crand,
                irid, irid_thickness, irid_turbulence, subsurface, ior, caustics, refraction)
-LENTRAY_FIELDS(SlopePoint, height, slope)
+LENTRAY_FIELDS(core::SlopePoint, height, slope)
 LENTRAY_FIELDS(ColourMapDesc, where, entries)
 LENTRAY_FIELDS(PigmentMapDesc, where, entries)
 LENTRAY_FIELDS(NormalMapDesc, where, entries)
 LENTRAY_FIELDS(SlopeMapDesc, where, entries)
 LENTRAY_FIELDS(TextureMapDesc, where, entries)
 LENTRAY_FIELDS(DensityMapDesc, where, entries)
-LENTRAY_FIELDS(TurbulenceDesc, amount, octaves, lambda, omega)
-LENTRAY_FIELDS(WarpParameters, turbulence, axis, width, flip, offset, centre, repeat, uncertainty,
-               radius, strength, power, inverse, repeats, uncertain, orientation, distance_exponent,
-               major_radius, plane_offset)
+LENTRAY_FIELDS(core::Turbulence, amount, octaves, lambda, omega)
+LENTRAY_FIELDS(core::BlackHole, centre, repeat, uncertainty, radius, strength, power, inverse,
+               repeats, uncertain)
+LENTRAY_FIELDS(WarpParameters, turbulence, axis, width, flip, offset, hole, orientation,
+               distance_exponent, major_radius, plane_offset)
 LENTRAY_FIELDS(WarpDesc, kind, transform, own)
 LENTRAY_FIELDS(ImageDesc, type, name, path, where, function, function_width, function_height, gamma,
                working_gamma, decoding, premultiplied, once, map_type, interpolate, use, repeat,

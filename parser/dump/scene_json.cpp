@@ -159,7 +159,8 @@ class Dumper {
     Fields<T>::visit(v, [&](const char* name, const auto& member) {
       Json made = value(member);
       if constexpr (std::is_same_v<decltype(member), const Sparse<RareParts>&> ||
-                    std::is_same_v<decltype(member), const Sparse<WarpParameters>&>)
+                    std::is_same_v<decltype(member), const Sparse<WarpParameters>&> ||
+                    std::is_same_v<decltype(member), const core::BlackHole&>)
         return out.update(made);
       if (made != unset.at(name)) out[name] = std::move(made);
     });

@@ -53,11 +53,6 @@ class Disk final : public Files {
     return true;
   }
 
-  std::optional<std::string> find_loosely(const std::string& folder,
-                                          const std::string& name) const override {
-    return parser::find_loosely(folder, name);
-  }
-
   std::optional<std::string> read(const std::string& path) const override {
     const Descriptor file(::open(path.c_str(), O_RDONLY | O_NONBLOCK | O_NOCTTY | O_CLOEXEC));
     if (!file || S_ISDIR(status_of(file).st_mode)) return std::nullopt;
@@ -99,6 +94,11 @@ class Disk final : public Files {
 };
 
 }  // namespace
+
+std::optional<std::string> Files::find_loosely(const std::string& folder,
+                                               const std::string& name) const {
+  return parser::find_loosely(folder, name);
+}
 
 Files& disk_files() {
   static Disk disk;

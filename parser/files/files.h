@@ -39,7 +39,7 @@ class Files {
   virtual bool exists(const std::string& path) const = 0;
   /// The file below `folder` ("": the current one) that Windows would mean by `name`; not judged.
   virtual std::optional<std::string> find_loosely(const std::string& folder,
-                                                  const std::string& name) const = 0;
+                                                  const std::string& name) const;
   virtual std::optional<std::string> read(const std::string& path) const = 0;
   /// The scene itself, which the user named: no rule is asked.
   virtual std::optional<std::string> read_scene(const std::string& path) const {

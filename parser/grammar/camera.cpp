@@ -130,7 +130,7 @@ class CameraReader {
     m_camera.max_ray_distance = next_float(m_parser, 0.0);
     Location where = m_parser.location();
     while (Ref<ObjectDesc> mesh = accept_object(m_parser, m_context)) {
-      if (!std::holds_alternative<std::shared_ptr<const MeshShape>>(mesh->shape)) {
+      if (!mesh->is_any<std::shared_ptr<const MeshShape>>()) {
         m_parser.fail_at(where, "a mesh_camera takes meshes, not a " + std::string(mesh->keyword));
       }
       m_camera.meshes.push_back(mesh);
@@ -264,15 +264,13 @@ class CameraReader {
       {"lens_front", &LensDesc::front, 0.0, true},
       {"view_distance", &LensDesc::view_distance, 0.0, true}};
 
-  double lens_value(const LensWord& known) {
+  /// The number behind a word, which is next: `is_good` must be true of it.
+  template <typename Good>
+  double lens_value(std::string_view word, Good is_good, const std::string& expected) {
     m_parser.next();
     const Location where = m_parser.location();
     const double value = m_parser.parse_float();
-    if (!(known.may_equal ? value >= known.least : value > known.least) || !std::isfinite(value)) {
-      m_parser.fail_at(where, std::string(known.word) + " must be " +
-                                  (known.may_equal ? "at least " : "greater than ") +
-                                  (known.least == 0.0 ? "0" : "1") + ".");
-    }
+    if (!is_good(value)) m_parser.fail_at(where, std::string(word) + " must be " + expected + ".");
     return value;
   }
 
@@ -287,16 +285,28 @@ class CameraReader {
     LensDesc& lens = m_camera.lens;
     for (const LensWord& known : kLensWords) {
       if (word != known.word) continue;
-      lens.*known.value = lens_value(known);
+      const auto is_good = [&](double value) {
+        return (known.may_equal ? value >= known.least : value > known.least) &&
+               std::isfinite(value);
+      };
+      lens.*known.value = lens_value(word, is_good,
+                                     std::string(known.may_equal ? "at least " : "greater than ") +
+                                         (known.least == 0.0 ? "0" : "1"));
       return true;
     }
     if (word == "lens_model") {
       m_parser.next();
       lens.model = read_lens_model();
     } else if (word == "lens_rays") {
-      lens.rays = read_lens_rays();
+      constexpr int kMost = camera::kMostLensRays;
+      const auto is_good = [](double value) {
+        return value >= 1.0 && value <= kMost && std::floor(value) == value;
+      };
+      lens.rays = static_cast<int>(
+          lens_value(word, is_good, "a whole number from 1 to " + std::to_string(kMost)));
     } else if (word == "lens_slant") {
-      lens.slant = read_lens_slant();
+      const auto is_good = [](double value) { return std::fabs(value) <= 80.0; };
+      lens.slant = lens_value(word, is_good, "an angle of -80 to 80 degrees");
     } else {
       return false;
     }
@@ -315,29 +325,6 @@ class CameraReader {
     }
     m_parser.next();
     return model;
-  }
-
-  int read_lens_rays() {
-    constexpr int kMost = camera::kMostLensRays;
-    m_parser.next();
-    const Location where = m_parser.location();
-    const double value = m_parser.parse_float();
-    if (!(value >= 1.0 && value <= kMost && std::floor(value) == value)) {
-      m_parser.fail_at(where,
-                       "lens_rays must be a whole number from 1 to " + std::to_string(kMost) + ".");
-    }
-    return static_cast<int>(value);
-  }
-
-  double read_lens_slant() {
-    constexpr double kSteepest = 80.0;
-    m_parser.next();
-    const Location where = m_parser.location();
-    const double value = m_parser.parse_float();
-    if (!(std::fabs(value) <= kSteepest)) {
-      m_parser.fail_at(where, "lens_slant must be an angle of -80 to 80 degrees.");
-    }
-    return value;
   }
 
   [[noreturn]] void fail_word() {

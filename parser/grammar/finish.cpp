@@ -2,7 +2,6 @@
 
 #include <cmath>
 
-#include "parser/base/recycled.h"
 #include "parser/grammar/helpers.h"
 #include "parser/grammar/pattern.h"
 
@@ -153,14 +152,9 @@ void apply_albedo(FinishDesc& finish) {
 }  // namespace
 
 Ref<FinishDesc> parse_finish_block(Parser& parser, MaterialContext& context, Ref<FinishDesc> base) {
-  auto finish = make_recycled<FinishDesc>();
   const Location where = parser.location();
   parser.expect(Punct::kLeftCurly);
-  if (const auto known = parser.accept_value<Ref<FinishDesc>>()) {
-    *finish = **known;
-  } else if (base) {
-    *finish = *base;
-  }
+  auto finish = start_of(parser, base);
   finish->where = where;
   while (accept_diffuse_word(parser, *finish) || accept_highlight_word(parser, *finish) ||
          accept_interior_word(parser, *finish) || accept_other_word(parser, *finish)) {

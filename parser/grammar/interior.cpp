@@ -35,14 +35,9 @@ bool accept_interior_word(Parser& parser, MaterialContext& context, InteriorDesc
 
 Ref<InteriorDesc> parse_interior(Parser& parser, MaterialContext& context,
                                  const Ref<InteriorDesc>& below) {
-  auto interior = std::make_shared<InteriorDesc>();
   const Location where = parser.location();
   parser.expect(Punct::kLeftCurly);
-  if (const auto known = parser.accept_value<Ref<InteriorDesc>>()) {
-    *interior = **known;
-  } else if (below) {
-    *interior = *below;
-  }
+  auto interior = start_of(parser, below);
   interior->where = where;
   while (accept_interior_word(parser, context, *interior)) {
   }

@@ -131,11 +131,11 @@ Ref<DensityMapDesc> parse_density_map(Parser& parser, MaterialContext& context, 
                                         [&] { return parse_density_body(parser, context); });
 }
 
-Ref<ColourMapDesc> parse_colour_list(Parser& parser, PatternKind kind, int count) {
+Ref<ColourMapDesc> parse_colour_list(Parser& parser, PatternKind kind) {
   auto map = std::make_shared<ColourMapDesc>();
   map->where = parser.location();
   const std::span<const Colour> defaults = default_colours(kind);
-  for (int i = 0; i < count; ++i) {
+  for (int i = 0; i < items_of(kind); ++i) {
     Colour colour = defaults[static_cast<std::size_t>(i)];
     // Once one is missing all the rest are.
     if (static_cast<int>(map->entries.size()) == i &&

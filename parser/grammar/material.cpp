@@ -19,16 +19,12 @@ core::Colour filter_as_transmit(const core::Colour& colour) {
 Ref<PigmentDesc> filter_as_transmit(const Ref<PigmentDesc>& pigment) {
   auto copy = std::make_shared<PigmentDesc>(*pigment);
   copy->colour = filter_as_transmit(pigment->colour);
-  if (pigment->colour_map) {
-    auto map = std::make_shared<ColourMapDesc>(*pigment->colour_map);
-    for (auto& entry : map->entries) entry.item = filter_as_transmit(entry.item);
-    copy->colour_map = map;
-  }
-  if (pigment->pigment_map) {
-    auto map = std::make_shared<PigmentMapDesc>(*pigment->pigment_map);
-    for (auto& entry : map->entries) entry.item = filter_as_transmit(entry.item);
-    copy->pigment_map = map;
-  }
+  const auto change = [](auto& map) {
+    if (!map) return;
+    for (auto& entry : edit(map).entries) entry.item = filter_as_transmit(entry.item);
+  };
+  change(copy->colour_map);
+  change(copy->pigment_map);
   return copy;
 }
 
@@ -56,24 +52,9 @@ TextureLayerDesc& top_layer(Parser& parser, MaterialContext& context, Ref<Textur
   return edit(texture).layers.back();
 }
 
-bool accept_part(Parser& parser, MaterialContext& context, Ref<TextureDesc>& texture) {
-  if (parser.accept(Keyword::kPigment)) {
-    TextureLayerDesc& layer = top_layer(parser, context, texture);
-    parser.expect(Punct::kLeftCurly);
-    layer.pigment = parse_pigment_body(parser, context, layer.pigment);
-    end_block(parser, kPigmentWords);
-  } else if (parser.accept(Keyword::kNormal)) {
-    TextureLayerDesc& layer = top_layer(parser, context, texture);
-    parser.expect(Punct::kLeftCurly);
-    layer.normal = parse_normal_body(parser, context, layer.normal);
-    end_block(parser, kNormalWords);
-  } else if (parser.accept(Keyword::kFinish)) {
-    TextureLayerDesc& layer = top_layer(parser, context, texture);
-    layer.finish = parse_finish_block(parser, context, layer.finish);
-  } else {
-    return false;
-  }
-  return true;
+bool accept_own_part(Parser& parser, MaterialContext& context, Ref<TextureDesc>& texture) {
+  const auto layer = [&]() -> TextureLayerDesc& { return top_layer(parser, context, texture); };
+  return accept_part(parser, context, layer, false);
 }
 
 /// A colour directly in an object: before 1.5 its colour in quick renders, without meaning since.
@@ -95,11 +76,6 @@ bool at_colour_name(Parser& parser) {
   return !number || number->is_colour;
 }
 
-template <typename Desc>
-std::optional<Value> as_value(const Ref<Desc>& desc) {
-  return Value(desc);
-}
-
 Ref<TextureDesc> parse_texture_layers(Parser& parser, MaterialContext& context) {
   Ref<TextureDesc> layers = parse_texture(parser, context);
   while (parser.accept(Keyword::kTexture)) {
@@ -109,10 +85,6 @@ Ref<TextureDesc> parse_texture_layers(Parser& parser, MaterialContext& context) 
 }
 
 }  // namespace
-
-Ref<InteriorDesc> parse_interior(Parser& parser, MaterialContext& context) {
-  return parse_interior(parser, context, nullptr);
-}
 
 Ref<MaterialDesc> parse_material(Parser& parser, MaterialContext& context) {
   auto material = std::make_shared<MaterialDesc>();
@@ -153,7 +125,7 @@ bool accept_looks(Parser& parser, MaterialContext& context, Looks& looks) {
       add_texture(parser, looks.interior_texture, material->interior_texture);
     }
     if (material->interior) looks.interior = material->interior;
-  } else if (accept_part(parser, context, looks.texture)) {
+  } else if (accept_own_part(parser, context, looks.texture)) {
     return true;
   } else if (at_colour_name(parser)) {
     accept_object_colour(parser, looks);
@@ -170,20 +142,20 @@ void transform_looks(Looks& looks, const core::Transform& transform) {
 }
 
 std::optional<Value> accept_material_value(Parser& parser, MaterialContext& context) {
-  if (parser.accept(Keyword::kPigment)) return as_value(parse_pigment(parser, context));
-  if (parser.accept(Keyword::kNormal)) return as_value(parse_normal(parser, context));
-  if (parser.accept(Keyword::kFinish)) return as_value(parse_finish(parser, context));
-  if (parser.accept(Keyword::kTexture)) return as_value(parse_texture_layers(parser, context));
-  if (parser.accept(Keyword::kInterior)) return as_value(parse_interior(parser, context));
-  if (parser.accept(Keyword::kMaterial)) return as_value(parse_material(parser, context));
-  if (parser.accept(Keyword::kMedia)) return as_value(parse_media(parser, context));
-  if (parser.accept(Keyword::kDensity)) return as_value(parse_density(parser, context));
-  if (parser.accept(Keyword::kColorMap)) return as_value(parse_colour_map(parser, context));
-  if (parser.accept(Keyword::kPigmentMap)) return as_value(parse_pigment_map(parser, context));
-  if (parser.accept(Keyword::kNormalMap)) return as_value(parse_normal_map(parser, context));
-  if (parser.accept(Keyword::kSlopeMap)) return as_value(parse_slope_map(parser, context));
-  if (parser.accept(Keyword::kTextureMap)) return as_value(parse_texture_map(parser, context));
-  if (parser.accept(Keyword::kDensityMap)) return as_value(parse_density_map(parser, context));
+  if (parser.accept(Keyword::kPigment)) return parse_pigment(parser, context);
+  if (parser.accept(Keyword::kNormal)) return parse_normal(parser, context);
+  if (parser.accept(Keyword::kFinish)) return parse_finish(parser, context);
+  if (parser.accept(Keyword::kTexture)) return parse_texture_layers(parser, context);
+  if (parser.accept(Keyword::kInterior)) return parse_interior(parser, context);
+  if (parser.accept(Keyword::kMaterial)) return parse_material(parser, context);
+  if (parser.accept(Keyword::kMedia)) return parse_media(parser, context);
+  if (parser.accept(Keyword::kDensity)) return parse_density(parser, context);
+  if (parser.accept(Keyword::kColorMap)) return parse_colour_map(parser, context);
+  if (parser.accept(Keyword::kPigmentMap)) return parse_pigment_map(parser, context);
+  if (parser.accept(Keyword::kNormalMap)) return parse_normal_map(parser, context);
+  if (parser.accept(Keyword::kSlopeMap)) return parse_slope_map(parser, context);
+  if (parser.accept(Keyword::kTextureMap)) return parse_texture_map(parser, context);
+  if (parser.accept(Keyword::kDensityMap)) return parse_density_map(parser, context);
   return std::nullopt;
 }
 
@@ -198,7 +170,7 @@ bool accept_material_default(Parser& parser, MaterialContext& context) {
     return true;
   }
   context.in_default = true;
-  const bool accepted = accept_part(parser, context, context.default_texture);
+  const bool accepted = accept_own_part(parser, context, context.default_texture);
   context.in_default = false;
   return accepted;
 }

@@ -28,10 +28,9 @@ Ref<NormalDesc> parse_normal(Parser& parser, MaterialContext& context);
 Ref<FinishDesc> parse_finish(Parser& parser, MaterialContext& context);
 /// One `texture {}` (its identifier may bring several layers).
 Ref<TextureDesc> parse_texture(Parser& parser, MaterialContext& context);
-Ref<InteriorDesc> parse_interior(Parser& parser, MaterialContext& context);
-/// The same, changing the interior that is there already (null: none).
+/// `below`: the interior that is there already, which it changes (null: none).
 Ref<InteriorDesc> parse_interior(Parser& parser, MaterialContext& context,
-                                 const Ref<InteriorDesc>& below);
+                                 const Ref<InteriorDesc>& below = nullptr);
 Ref<MaterialDesc> parse_material(Parser& parser, MaterialContext& context);
 Ref<MediaDesc> parse_media(Parser& parser, MaterialContext& context);
 Ref<DensityDesc> parse_density(Parser& parser, MaterialContext& context);

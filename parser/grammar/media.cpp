@@ -7,41 +7,24 @@
 namespace lentray::parser {
 namespace {
 
-class DensityTarget final : public MapTarget<DensityDesc, DensityMapDesc> {
+class DensityTarget final : public ColourTarget<DensityDesc, DensityMapDesc> {
  public:
   DensityTarget(DensityDesc& density, MaterialContext& context)
-      : MapTarget("density", density, density.pattern, density.density_map, context) {}
-
-  bool accept_plain(Parser& parser) override {
-    if (!parser.at_colour()) return false;
-    m_desc.colour = to_colour(parser.parse_colour());
-    return true;
-  }
+      : ColourTarget("density", density, density.pattern, density.density_map, context) {}
 
   void read_list(Parser& parser, int count) override {
-    m_map = parse_item_list<DensityMapDesc>(
+    set_map(parse_item_list<DensityMapDesc>(
         parser, count, Keyword::kDensity,
         [] { return Ref<DensityDesc>(std::make_shared<DensityDesc>()); },
-        [&] { return parse_density(parser, m_context); });
-    m_desc.colour_map = nullptr;
+        [&] { return parse_density(parser, m_context); }));
   }
 
   void read_item(Parser& parser) override {
-    m_map = map_of<DensityMapDesc>(parse_density_body(parser, m_context));
-    m_desc.colour_map = nullptr;
+    set_map(map_of<DensityMapDesc>(parse_density_body(parser, m_context)));
   }
 
   bool accept_own_modifier(Parser& parser) override {
-    if (accept_map(parser, Keyword::kColorMap, m_desc.pattern, false)) {
-      m_desc.colour_map = parse_colour_map(parser, m_context);
-      m_map = nullptr;
-    } else if (accept_map(parser, Keyword::kDensityMap, m_desc.pattern, true)) {
-      m_map = parse_density_map(parser, m_context, m_desc.pattern.kind == PatternKind::kAverage);
-      m_desc.colour_map = nullptr;
-    } else {
-      return false;
-    }
-    return true;
+    return accept_either_map(parser, Keyword::kDensityMap, parse_density_map);
   }
 };
 
@@ -127,13 +110,7 @@ bool accept_media_word(Parser& parser, MaterialContext& context, MediaDesc& medi
 }  // namespace
 
 Ref<DensityDesc> parse_density_body(Parser& parser, MaterialContext& context) {
-  auto density = std::make_shared<DensityDesc>();
-  const Location where = parser.location();
-  if (const auto known = parser.accept_value<Ref<DensityDesc>>()) *density = **known;
-  density->where = where;
-  DensityTarget target(*density, context);
-  parse_pattern_body(parser, context, target);
-  return density;
+  return parse_body<DensityTarget>(parser, context, Ref<DensityDesc>());
 }
 
 Ref<DensityDesc> parse_density(Parser& parser, MaterialContext& context) {

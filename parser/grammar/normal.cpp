@@ -63,24 +63,18 @@ class NormalTarget final : public MapTarget<NormalDesc, NormalMapDesc> {
 }  // namespace
 
 Ref<NormalDesc> parse_normal_body(Parser& parser, MaterialContext& context, Ref<NormalDesc> base) {
-  auto normal = std::make_shared<NormalDesc>();
-  const Location where = parser.location();
-  if (const auto known = parser.accept_value<Ref<NormalDesc>>()) {
-    *normal = **known;
-  } else if (base) {
-    *normal = *base;
-  }
-  normal->where = where;
-  NormalTarget target(*normal, context);
-  parse_pattern_body(parser, context, target);
+  return parse_body<NormalTarget>(parser, context, base);
+}
+
+Ref<NormalDesc> parse_normal_block(Parser& parser, MaterialContext& context, Ref<NormalDesc> base) {
+  parser.expect(Punct::kLeftCurly);
+  auto normal = parse_normal_body(parser, context, base);
+  end_block(parser, kNormalWords);
   return normal;
 }
 
 Ref<NormalDesc> parse_normal(Parser& parser, MaterialContext& context) {
-  parser.expect(Punct::kLeftCurly);
-  auto normal = parse_normal_body(parser, context, default_layer(context).normal);
-  end_block(parser, kNormalWords);
-  return normal;
+  return parse_normal_block(parser, context, default_layer(context).normal);
 }
 
 }  // namespace lentray::parser

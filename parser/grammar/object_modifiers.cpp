@@ -30,33 +30,25 @@ std::vector<Ref<ObjectDesc>> parse_regions(Parser& parser, Context& context) {
   return regions;
 }
 
-void append(std::vector<Ref<ObjectDesc>>& to, std::vector<Ref<ObjectDesc>> from) {
-  to.insert(to.end(), from.begin(), from.end());
-}
-
-void parse_bounded_by(Parser& parser, Context& context, ObjectDesc& object) {
+/// clipped_by or bounded_by: regions, or the other word for the same ones.
+template <bool kClips>
+void parse_limits(Parser& parser, Context& context, ObjectDesc& object) {
+  constexpr auto kOwn = kClips ? &RareParts::clipped_by : &RareParts::bounded_by;
+  constexpr auto kOther = kClips ? &RareParts::bounded_by : &RareParts::clipped_by;
+  const std::string own = kClips ? "clips" : "bounds", other = kClips ? "bounds" : "clips";
   parser.expect(Punct::kLeftCurly);
-  if (object.bounds_are_clips) parser.fail("Cannot add bounds after linking bounds and clips.");
-  if (parser.accept(Keyword::kClippedBy)) {
-    if (!object.rare->bounded_by.empty()) parser.fail("Cannot link clips with previous bounds.");
-    if (object.rare.is_stored()) object.rare.edit().bounded_by = object.rare->clipped_by;
+  if (object.bounds_are_clips)
+    parser.fail("Cannot add " + own + " after linking bounds and clips.");
+  if (parser.accept(kClips ? Keyword::kBoundedBy : Keyword::kClippedBy)) {
+    if (!((*object.rare).*kOwn).empty())
+      parser.fail("Cannot link " + other + " with previous " + own + ".");
+    if (object.rare.is_stored()) object.rare.edit().*kOwn = (*object.rare).*kOther;
     object.bounds_are_clips = true;
   } else {
-    append(object.rare.edit().bounded_by, parse_regions(parser, context));
-  }
-  parser.expect(Punct::kRightCurly);
-}
-
-void parse_clipped_by(Parser& parser, Context& context, ObjectDesc& object) {
-  parser.expect(Punct::kLeftCurly);
-  if (object.bounds_are_clips) parser.fail("Cannot add clips after linking bounds and clips.");
-  if (parser.accept(Keyword::kBoundedBy)) {
-    if (!object.rare->clipped_by.empty()) parser.fail("Cannot link bounds with previous clips.");
-    if (object.rare.is_stored()) object.rare.edit().clipped_by = object.rare->bounded_by;
-    object.bounds_are_clips = true;
-  } else {
-    append(object.rare.edit().clipped_by, parse_regions(parser, context));
-    note_clips(object);
+    const auto added = parse_regions(parser, context);
+    auto& regions = object.rare.edit().*kOwn;
+    regions.insert(regions.end(), added.begin(), added.end());
+    if (kClips) note_clips(object);
   }
   parser.expect(Punct::kRightCurly);
 }
@@ -88,18 +80,13 @@ bool has_cutaway(const ObjectDesc& object) {
 
 /// Solvers that sturm chooses.
 bool has_sturm(const ObjectDesc& object) {
-  const ShapeDesc& s = object.shape;
-  return std::holds_alternative<std::shared_ptr<const BlobShape>>(s) ||
-         std::holds_alternative<LatheShape>(s) || std::holds_alternative<OvusShape>(s) ||
-         std::holds_alternative<PolyShape>(s) || std::holds_alternative<PrismShape>(s) ||
-         std::holds_alternative<SorShape>(s) || std::holds_alternative<TorusShape>(s);
+  return object.is_any<std::shared_ptr<const BlobShape>, LatheShape, OvusShape, PolyShape,
+                       PrismShape, SorShape, TorusShape>();
 }
 
 bool has_hierarchy(const ObjectDesc& object) {
-  const ShapeDesc& s = object.shape;
-  return std::holds_alternative<std::shared_ptr<const BlobShape>>(s) ||
-         std::holds_alternative<std::shared_ptr<const MeshShape>>(s) ||
-         std::holds_alternative<Sparse<HeightFieldShape>>(s);
+  return object.is_any<std::shared_ptr<const BlobShape>, std::shared_ptr<const MeshShape>,
+                       Sparse<HeightFieldShape>>();
 }
 
 void parse_uv_mapping(Parser& parser, Context&, ObjectDesc& object) {
@@ -115,8 +102,8 @@ struct ModifierEntry {
 };
 
 constexpr std::array kModifiers{
-    ModifierEntry{Keyword::kBoundedBy, parse_bounded_by},
-    ModifierEntry{Keyword::kClippedBy, parse_clipped_by},
+    ModifierEntry{Keyword::kBoundedBy, parse_limits<false>},
+    ModifierEntry{Keyword::kClippedBy, parse_limits<true>},
     ModifierEntry{Keyword::kCutawayTextures,
                   [](Parser&, Context&, ObjectDesc& object) {
                     std::get<CsgShape>(object.shape).cutaway_textures = true;

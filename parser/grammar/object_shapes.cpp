@@ -27,10 +27,8 @@ bool is_patch(const ObjectDesc& object) {
   if (const auto* mesh = std::get_if<std::shared_ptr<const MeshShape>>(&object.shape)) {
     return !(*mesh)->inside_vector;
   }
-  return object.is_light() || std::holds_alternative<TriangleShape>(object.shape) ||
-         std::holds_alternative<Sparse<SmoothTriangleShape>>(object.shape) ||
-         std::holds_alternative<Sparse<ParametricShape>>(object.shape) ||
-         std::holds_alternative<std::shared_ptr<const BicubicPatchShape>>(object.shape);
+  return object.is_any<LightShape, TriangleShape, Sparse<SmoothTriangleShape>,
+                       Sparse<ParametricShape>, std::shared_ptr<const BicubicPatchShape>>();
 }
 
 ShapeDesc parse_sphere(Parser& parser, Context&) {

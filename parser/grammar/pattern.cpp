@@ -27,10 +27,9 @@ struct PatternRule {
   ReadArguments read = nullptr;
 };
 
-template <int Count>
 void read_items(const Reader& r) {
   r.pattern.frequency = 0.0;
-  r.target.read_list(r.parser, Count);
+  r.target.read_list(r.parser, items_of(r.pattern.kind));
 }
 
 void read_triangle_wave(const Reader& r) { r.pattern.wave = WaveForm::kTriangle; }
@@ -131,7 +130,7 @@ void read_object(const Reader& r) {
   if (r.context.parse_object) r.pattern.own.edit().object = r.context.parse_object(r.parser);
   if (!r.pattern.own->object) r.parser.fail_expected("an object");
   r.parser.parse_comma();
-  read_items<2>(r);
+  read_items(r);
   r.parser.expect(Punct::kRightCurly);
 }
 
@@ -223,12 +222,12 @@ constexpr std::array kRules{
     PatternRule{Keyword::kAverage, PatternKind::kAverage},
     PatternRule{Keyword::kBoxed, PatternKind::kBoxed},
     PatternRule{Keyword::kBozo, PatternKind::kBozo},
-    PatternRule{Keyword::kBrick, PatternKind::kBrick, read_items<2>},
+    PatternRule{Keyword::kBrick, PatternKind::kBrick, read_items},
     PatternRule{Keyword::kBumps, PatternKind::kBumps},
     PatternRule{Keyword::kCells, PatternKind::kCells},
-    PatternRule{Keyword::kChecker, PatternKind::kChecker, read_items<2>},
+    PatternRule{Keyword::kChecker, PatternKind::kChecker, read_items},
     PatternRule{Keyword::kCrackle, PatternKind::kCrackle, read_crackle},
-    PatternRule{Keyword::kCubic, PatternKind::kCubic, read_items<6>},
+    PatternRule{Keyword::kCubic, PatternKind::kCubic, read_items},
     PatternRule{Keyword::kCylindrical, PatternKind::kCylindrical},
     PatternRule{Keyword::kDensityFile, PatternKind::kDensityFile, read_density_file},
     PatternRule{Keyword::kDents, PatternKind::kDents},
@@ -236,7 +235,7 @@ constexpr std::array kRules{
     PatternRule{Keyword::kFunction, PatternKind::kFunction, read_function},
     PatternRule{Keyword::kGradient, PatternKind::kGradient, read_gradient},
     PatternRule{Keyword::kGranite, PatternKind::kGranite},
-    PatternRule{Keyword::kHexagon, PatternKind::kHexagon, read_items<3>},
+    PatternRule{Keyword::kHexagon, PatternKind::kHexagon, read_items},
     PatternRule{Keyword::kImageMap, PatternKind::kImageMap, read_image_map},
     PatternRule{Keyword::kImagePattern, PatternKind::kImagePattern, read_image_pattern},
     PatternRule{Keyword::kJulia, PatternKind::kJulia, read_julia},
@@ -257,9 +256,9 @@ constexpr std::array kRules{
     PatternRule{Keyword::kSpiral1, PatternKind::kSpiral1, read_spiral},
     PatternRule{Keyword::kSpiral2, PatternKind::kSpiral2, read_spiral},
     PatternRule{Keyword::kSpotted, PatternKind::kSpotted},
-    PatternRule{Keyword::kSquare, PatternKind::kSquare, read_items<4>},
+    PatternRule{Keyword::kSquare, PatternKind::kSquare, read_items},
     PatternRule{Keyword::kTiling, PatternKind::kTiling, read_tiling},
-    PatternRule{Keyword::kTriangular, PatternKind::kTriangular, read_items<6>},
+    PatternRule{Keyword::kTriangular, PatternKind::kTriangular, read_items},
     PatternRule{Keyword::kUvMapping, PatternKind::kUvMapping, read_uv_mapping},
     PatternRule{Keyword::kWaves, PatternKind::kWaves},
     PatternRule{Keyword::kWood, PatternKind::kWood, read_triangle_wave},
@@ -284,17 +283,24 @@ void check_pavement(Parser& parser, const PatternParameters& p) {
 
 }  // namespace
 
-bool has_item_list(PatternKind kind) {
+int items_of(PatternKind kind) {
   switch (kind) {
     case PatternKind::kBrick:
     case PatternKind::kChecker:
+    case PatternKind::kObject: return 2;
+    case PatternKind::kHexagon: return 3;
+    case PatternKind::kSquare: return 4;
     case PatternKind::kCubic:
-    case PatternKind::kHexagon:
-    case PatternKind::kObject:
-    case PatternKind::kSquare:
-    case PatternKind::kTriangular: return true;
-    default: return false;
+    case PatternKind::kTriangular: return 6;
+    default: return 0;
   }
+}
+
+std::optional<PatternKind> accept_kind(Parser& parser, std::span<const PatternKind> kinds) {
+  const PatternRule* rule = find_entry<kRules>(parser.peek());
+  if (!rule || std::ranges::find(kinds, rule->kind) == kinds.end()) return std::nullopt;
+  parser.next();
+  return rule->kind;
 }
 
 bool is_unset(const PatternDesc& pattern) {
@@ -304,7 +310,7 @@ bool is_unset(const PatternDesc& pattern) {
 bool accept_map(Parser& parser, Keyword map, const PatternDesc& pattern, bool average_allowed) {
   if (!parser.at(map)) return false;
   const PatternKind kind = pattern.kind;
-  if (has_item_list(kind) || kind == PatternKind::kPlain || kind == PatternKind::kImageMap ||
+  if (items_of(kind) > 0 || kind == PatternKind::kPlain || kind == PatternKind::kImageMap ||
       kind == PatternKind::kBumpMap || (kind == PatternKind::kAverage && !average_allowed)) {
     const std::string what =
         kind == PatternKind::kPlain ? "no pattern" : std::string(pattern_name(kind));

@@ -4,9 +4,12 @@
 #pragma once
 
 #include <memory>
+#include <optional>
+#include <span>
 #include <string_view>
 #include <utility>
 
+#include "parser/base/recycled.h"
 #include "parser/descriptions/pattern.h"
 #include "parser/grammar/material.h"
 #include "parser/grammar/nesting.h"
@@ -50,6 +53,9 @@ class PatternTarget {
   PatternDesc& m_pattern;
 };
 
+/// The word of a map, if it is next; fails unless the map can go with the pattern.
+bool accept_map(Parser& parser, Keyword map, const PatternDesc& pattern, bool average_allowed);
+
 /// One whose description `desc` may have a map of its own kind.
 template <typename Desc, typename Map>
 class MapTarget : public PatternTarget {
@@ -88,8 +94,61 @@ std::shared_ptr<Map> map_of(Item item) {
   return map;
 }
 
+/// A statement of colours: a pigment or density. Items take the place of its colours, and the other way round.
+template <typename Desc, typename Map>
+class ColourTarget : public MapTarget<Desc, Map> {
+ public:
+  using MapTarget<Desc, Map>::MapTarget;
+  bool accept_plain(Parser& parser) final {
+    if (!parser.at_colour()) return false;
+    m_desc.colour = to_colour(parser.parse_colour());
+    return true;
+  }
+
+ protected:
+  using MapTarget<Desc, Map>::m_desc, MapTarget<Desc, Map>::m_map, MapTarget<Desc, Map>::m_context;
+  void set_colours(Ref<ColourMapDesc> colours) {
+    m_desc.colour_map = std::move(colours);
+    m_map = nullptr;
+  }
+  void set_map(Ref<Map> map) {
+    m_map = std::move(map);
+    m_desc.colour_map = nullptr;
+  }
+  /// color_map, or the map that `word` begins and `parse` reads.
+  template <typename Parse>
+  bool accept_either_map(Parser& parser, Keyword word, Parse parse) {
+    if (accept_map(parser, Keyword::kColorMap, m_desc.pattern, false)) {
+      set_colours(parse_colour_map(parser, m_context));
+    } else if (accept_map(parser, word, m_desc.pattern, true)) {
+      set_map(parse(parser, m_context, m_desc.pattern.kind == PatternKind::kAverage));
+    } else {
+      return false;
+    }
+    return true;
+  }
+};
+
 /// A pattern (or none), then modifiers while they last.
 void parse_pattern_body(Parser& parser, MaterialContext& context, PatternTarget& target);
+/// What a statement changes: a copy of the description that is named here, else of `base`, else a new one.
+template <typename Desc>
+std::shared_ptr<Desc> start_of(Parser& parser, const Ref<Desc>& base) {
+  const Location where = parser.location();
+  const auto known = parser.accept_value<Ref<Desc>>();
+  const Desc* from = known ? known->get() : base.get();
+  auto desc = from ? make_recycled<Desc>(*from) : make_recycled<Desc>();
+  desc->where = where;
+  return desc;
+}
+/// The body of a statement with a pattern.
+template <typename Target, typename Desc>
+Ref<Desc> parse_body(Parser& parser, MaterialContext& context, const Ref<Desc>& base) {
+  auto desc = start_of(parser, base);
+  Target target(*desc, context);
+  parse_pattern_body(parser, context, target);
+  return desc;
+}
 /// A pattern keyword with its arguments, if one is next.
 bool accept_pattern(Parser& parser, MaterialContext& context, PatternTarget& target);
 /// One modifier of any pattern, if one is next.
@@ -99,13 +158,12 @@ WarpDesc parse_warp(Parser& parser);
 /// turbulence, octaves, omega and lambda outside a warp.
 bool accept_turbulence_word(Parser& parser, PatternDesc& pattern);
 
-/// True for patterns with a list of items, which take no map.
-bool has_item_list(PatternKind kind);
+/// How many items a pattern has that stand in a list; 0: it has none, and takes a map.
+int items_of(PatternKind kind);
+/// The word of one of these patterns, if it is next.
+std::optional<PatternKind> accept_kind(Parser& parser, std::span<const PatternKind> kinds);
 /// Neither a colour nor a pattern has been said yet.
 bool is_unset(const PatternDesc& pattern);
-
-/// The word of a map, if it is next; fails unless the map can go with the pattern.
-bool accept_map(Parser& parser, Keyword map, const PatternDesc& pattern, bool average_allowed);
 
 /// What stands between the braces of an image: file, gamma, and what all uses of images share.
 std::shared_ptr<ImageDesc> parse_image_source(Parser& parser);
@@ -128,11 +186,19 @@ TextureLayerDesc parse_tiles(Parser& parser, MaterialContext& context);
 TextureLayerDesc parse_material_map(Parser& parser, MaterialContext& context);
 Ref<FinishDesc> parse_finish_block(Parser& parser, MaterialContext& context, Ref<FinishDesc> base);
 Ref<DensityDesc> parse_density_body(Parser& parser, MaterialContext& context);
+/// The same between braces.
+Ref<PigmentDesc> parse_pigment_block(Parser& parser, MaterialContext& context,
+                                     Ref<PigmentDesc> base);
+Ref<NormalDesc> parse_normal_block(Parser& parser, MaterialContext& context, Ref<NormalDesc> base);
+/// A pigment, normal or finish of the layer that `layer` finds, if one is next. `default_normal`: where the layer has
+/// no normal, one starts from the default's.
+bool accept_part(Parser& parser, MaterialContext& context,
+                 const std::function<TextureLayerDesc&()>& layer, bool default_normal);
 /// The default of pigment, normal and finish in force.
 const TextureLayerDesc& default_layer(const MaterialContext& context);
 
 /// A list of colours for the pattern: what is missing is filled with the pattern's defaults.
-Ref<ColourMapDesc> parse_colour_list(Parser& parser, PatternKind kind, int count);
+Ref<ColourMapDesc> parse_colour_list(Parser& parser, PatternKind kind);
 
 core::Rgb parse_rgb(Parser& parser);
 /// The word and the colour behind it.

@@ -197,36 +197,36 @@ void parse_repeat(Parser& parser, WarpParameters& warp) {
 }
 
 /// Repeated holes must lie inside their blocks, wherever turbulence moves them: stock makes room.
-void fit_black_hole(Parser& parser, WarpParameters& warp) {
-  if (!warp.repeats) return;
+void fit_black_hole(Parser& parser, core::BlackHole& hole) {
+  if (!hole.repeats) return;
   for (int axis = 0; axis < 3; ++axis) {
-    if (!(warp.repeat[axis] > 0.0)) continue;
-    warp.centre[axis] = std::max(warp.centre[axis], warp.radius);
-    const double room = warp.centre[axis] + warp.radius + warp.uncertainty[axis];
-    if (warp.repeat[axis] >= room) continue;
-    warp.repeat[axis] = room;
+    if (!(hole.repeat[axis] > 0.0)) continue;
+    hole.centre[axis] = std::max(hole.centre[axis], hole.radius);
+    const double room = hole.centre[axis] + hole.radius + hole.uncertainty[axis];
+    if (hole.repeat[axis] >= room) continue;
+    hole.repeat[axis] = room;
     parser.warn("the repeat of this black_hole is too small; it is made larger");
   }
 }
 
-void parse_black_hole(Parser& parser, WarpParameters& warp) {
-  parse_values(parser, warp.centre, warp.radius);
+void parse_black_hole(Parser& parser, core::BlackHole& hole) {
+  parse_values(parser, hole.centre, hole.radius);
   for (;;) {
-    if (parser.accept(Keyword::kStrength, warp.strength) ||
-        parser.accept(Keyword::kFalloff, warp.power))
+    if (parser.accept(Keyword::kStrength, hole.strength) ||
+        parser.accept(Keyword::kFalloff, hole.power))
       continue;
     if (parser.accept(Keyword::kInverse)) {
-      warp.inverse = true;
+      hole.inverse = true;
     } else if (parser.accept(Keyword::kType)) {
       parser.parse_float();
     } else if (parser.accept(Keyword::kRepeat)) {
-      warp.repeat = parser.parse_vector();
-      warp.repeats = true;
-      fit_black_hole(parser, warp);
+      hole.repeat = parser.parse_vector();
+      hole.repeats = true;
+      fit_black_hole(parser, hole);
     } else if (parser.accept(Keyword::kTurbulence)) {
-      warp.uncertainty = parser.parse_vector();
-      warp.uncertain = true;
-      fit_black_hole(parser, warp);
+      hole.uncertainty = parser.parse_vector();
+      hole.uncertain = true;
+      fit_black_hole(parser, hole);
     } else {
       return;
     }
@@ -261,7 +261,7 @@ WarpDesc parse_warp(Parser& parser) {
     parse_repeat(parser, own);
   } else if (parser.accept(Keyword::kBlackHole)) {
     warp.kind = WarpDesc::Kind::kBlackHole;
-    parse_black_hole(parser, own);
+    parse_black_hole(parser, own.hole);
   } else if (parser.accept(Keyword::kPlanar)) {
     warp.kind = WarpDesc::Kind::kPlanar;
     if (parser.at_expression()) {

@@ -47,24 +47,6 @@ bool accept_part_names(Parser& parser, TextureLayerDesc& layer) {
   }
 }
 
-bool accept_part(Parser& parser, MaterialContext& context, TextureLayerDesc& layer) {
-  if (parser.accept(Keyword::kPigment)) {
-    parser.expect(Punct::kLeftCurly);
-    layer.pigment = parse_pigment_body(parser, context, layer.pigment);
-    end_block(parser, kPigmentWords);
-  } else if (parser.accept(Keyword::kNormal)) {
-    parser.expect(Punct::kLeftCurly);
-    const Ref<NormalDesc> base = layer.normal ? layer.normal : default_layer(context).normal;
-    layer.normal = parse_normal_body(parser, context, base);
-    end_block(parser, kNormalWords);
-  } else if (parser.accept(Keyword::kFinish)) {
-    layer.finish = parse_finish_block(parser, context, layer.finish);
-  } else {
-    return false;
-  }
-  return true;
-}
-
 void keep_bump_scale(TextureDesc& texture) {
   for (TextureLayerDesc& layer : texture.layers) {
     if (!layer.normal) continue;
@@ -102,6 +84,25 @@ Ref<TextureDesc> parse_patterned(Parser& parser, MaterialContext& context) {
 
 }  // namespace
 
+bool accept_part(Parser& parser, MaterialContext& context,
+                 const std::function<TextureLayerDesc&()>& layer, bool default_normal) {
+  if (parser.accept(Keyword::kPigment)) {
+    TextureLayerDesc& top = layer();
+    top.pigment = parse_pigment_block(parser, context, top.pigment);
+  } else if (parser.accept(Keyword::kNormal)) {
+    TextureLayerDesc& top = layer();
+    const bool from_default = default_normal && !top.normal;
+    top.normal = parse_normal_block(parser, context,
+                                    from_default ? default_layer(context).normal : top.normal);
+  } else if (parser.accept(Keyword::kFinish)) {
+    TextureLayerDesc& top = layer();
+    top.finish = parse_finish_block(parser, context, top.finish);
+  } else {
+    return false;
+  }
+  return true;
+}
+
 Ref<TextureDesc> parse_texture_body(Parser& parser, MaterialContext& context) {
   if (parser.language_version() < 300) return parse_old_texture_body(parser, context);
   const Location where = parser.location();
@@ -119,8 +120,9 @@ Ref<TextureDesc> parse_texture_body(Parser& parser, MaterialContext& context) {
   // Parts replace those of the topmost layer; transforms reach all of them.
   modified |= accept_part_names(parser, edit(texture).layers.back());
   bool keep_bumps = false;
+  const auto top = [&]() -> TextureLayerDesc& { return edit(texture).layers.back(); };
   for (;;) {
-    if (accept_part(parser, context, edit(texture).layers.back())) {
+    if (accept_part(parser, context, top, true)) {
       modified = true;
     } else if (const auto transform = parser.accept_transforms()) {
       texture = transformed(std::move(texture), *transform);

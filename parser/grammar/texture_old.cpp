@@ -34,29 +34,13 @@ struct OldTexture {
   }
 };
 
-constexpr std::pair<Keyword, PatternKind> kPigments[] = {
-    {Keyword::kAgate, PatternKind::kAgate},
-    {Keyword::kBozo, PatternKind::kBozo},
-    {Keyword::kGranite, PatternKind::kGranite},
-    {Keyword::kLeopard, PatternKind::kLeopard},
-    {Keyword::kMarble, PatternKind::kMarble},
-    {Keyword::kMandel, PatternKind::kMandel},
-    {Keyword::kOnion, PatternKind::kOnion},
-    {Keyword::kSpotted, PatternKind::kSpotted},
-    {Keyword::kWood, PatternKind::kWood},
-    {Keyword::kGradient, PatternKind::kGradient},
-    {Keyword::kChecker, PatternKind::kChecker},
-    {Keyword::kHexagon, PatternKind::kHexagon},
-    {Keyword::kImageMap, PatternKind::kImageMap},
-    {Keyword::kSquare, PatternKind::kSquare},
-    {Keyword::kTriangular, PatternKind::kTriangular}};
-
-constexpr std::pair<Keyword, PatternKind> kNormals[] = {
-    {Keyword::kBumps, PatternKind::kBumps},
-    {Keyword::kDents, PatternKind::kDents},
-    {Keyword::kRipples, PatternKind::kRipples},
-    {Keyword::kWaves, PatternKind::kWaves},
-    {Keyword::kWrinkles, PatternKind::kWrinkles}};
+constexpr PatternKind kPigments[] = {
+    PatternKind::kAgate,    PatternKind::kBozo,     PatternKind::kGranite,   PatternKind::kLeopard,
+    PatternKind::kMarble,   PatternKind::kMandel,   PatternKind::kOnion,     PatternKind::kSpotted,
+    PatternKind::kWood,     PatternKind::kGradient, PatternKind::kChecker,   PatternKind::kHexagon,
+    PatternKind::kImageMap, PatternKind::kSquare,   PatternKind::kTriangular};
+constexpr PatternKind kNormals[] = {PatternKind::kBumps, PatternKind::kDents, PatternKind::kRipples,
+                                    PatternKind::kWaves, PatternKind::kWrinkles};
 
 void read_pigment_arguments(Parser& parser, PigmentDesc& pigment) {
   PatternDesc& p = pigment.pattern;
@@ -71,14 +55,10 @@ void read_pigment_arguments(Parser& parser, PigmentDesc& pigment) {
       p.own.edit().image = parse_image_map(parser);
       break;
     default:
-      if (!has_item_list(p.kind)) break;
+      if (items_of(p.kind) == 0) break;
       p.frequency = 0.0;
       pigment.pigment_map = nullptr;
-      pigment.colour_map = parse_colour_list(parser, p.kind,
-                                             p.kind == PatternKind::kHexagon      ? 3
-                                             : p.kind == PatternKind::kSquare     ? 4
-                                             : p.kind == PatternKind::kTriangular ? 6
-                                                                                  : 2);
+      pigment.colour_map = parse_colour_list(parser, p.kind);
   }
 }
 
@@ -90,13 +70,10 @@ void warn_of_word(Parser& parser, const Location& where, std::string_view word, 
 
 bool accept_pigment_word(Parser& parser, MaterialContext& context, OldTexture& old) {
   PigmentDesc& pigment = *old.pigment;
-  for (const auto& [word, kind] : kPigments) {
-    if (!parser.accept(word)) continue;
-    pigment.pattern.kind = kind;  // as in stock marble and wood have no triangle wave here
+  if (const auto kind = accept_kind(parser, kPigments)) {
+    pigment.pattern.kind = *kind;  // as in stock marble and wood have no triangle wave here
     read_pigment_arguments(parser, pigment);
-    return true;
-  }
-  if (parser.at_colour()) {
+  } else if (parser.at_colour()) {
     pigment.pattern.kind = PatternKind::kPlain;
     pigment.pattern.where = parser.location();
     pigment.colour = to_colour(parser.parse_colour());
@@ -112,14 +89,11 @@ bool accept_pigment_word(Parser& parser, MaterialContext& context, OldTexture& o
 }
 
 bool accept_normal_word(Parser& parser, OldTexture& old) {
-  for (const auto& [word, kind] : kNormals) {
-    if (!parser.accept(word)) continue;
+  if (const auto kind = accept_kind(parser, kNormals)) {
     NormalDesc& normal = old.own_normal();
-    normal.pattern.kind = kind;
+    normal.pattern.kind = *kind;
     normal.amount = parser.parse_float();
-    return true;
-  }
-  if (parser.accept(Keyword::kBumpMap)) {
+  } else if (parser.accept(Keyword::kBumpMap)) {
     NormalDesc& normal = old.own_normal();
     normal.pattern.kind = PatternKind::kBumpMap;
     normal.pattern.frequency = 0.0;

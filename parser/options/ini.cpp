@@ -2,11 +2,9 @@
 
 #include <algorithm>
 #include <cctype>
-#include <fstream>
-#include <sstream>
 
 #include "core/base/trimmed.h"
-#include "core/image/run_files.h"
+#include "parser/files/files.h"
 
 namespace lentray::parser {
 namespace {
@@ -161,17 +159,19 @@ std::vector<std::string> ini_labels(std::string_view text) {
   return out;
 }
 
+std::string ini_file_text(const std::string& path) {
+  const auto text = disk_files().read_scene(path);
+  if (!text) throw OptionError("cannot read the INI file '" + path + "'");
+  return *text;
+}
+
 IniSection read_ini(const std::string& path, const IniName& name,
                     std::vector<std::string>& warnings) {
-  std::ifstream in(path, std::ios::binary);
-  std::ostringstream text;
-  if (in) text << in.rdbuf();
-  if (!in) throw OptionError("cannot read the INI file '" + path + "'");
-  core::note_input(path);
-  IniSection out = ini_lines(text.str(), path, name);
+  const std::string text = ini_file_text(path);
+  IniSection out = ini_lines(text, path, name);
   if (out.is_there) return out;
   std::string known;
-  for (const std::string& label : ini_labels(text.str())) {
+  for (const std::string& label : ini_labels(text)) {
     known += (known.empty() ? "" : ", ") + label;
   }
   warnings.push_back("'" + path + "' has no section [" + name.label + "]" +

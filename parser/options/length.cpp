@@ -4,6 +4,8 @@
 #include <cmath>
 #include <string_view>
 
+#include "core/base/trimmed.h"
+
 namespace lentray::parser {
 namespace {
 
@@ -26,11 +28,7 @@ std::string units() {
   return out;
 }
 
-std::string_view without_blanks(std::string_view text) {
-  while (!text.empty() && (text.front() == ' ' || text.front() == '\t')) text.remove_prefix(1);
-  while (!text.empty() && (text.back() == ' ' || text.back() == '\t')) text.remove_suffix(1);
-  return text;
-}
+std::string_view without_blanks(std::string_view text) { return core::trimmed(text, " \t"); }
 
 [[noreturn]] void refuse_unit(const GivenOption& given, std::string_view unit) {
   if (unit.front() == ',') refuse(given, "a decimal point is expected instead of the comma");
@@ -79,9 +77,8 @@ Extent extent_mm(const GivenOption& given) {
   if (cross == std::string::npos) {
     refuse(given, "a width and a height are expected, such as 200x100mm");
   }
-  GivenOption width = given, height = given;
-  width.value = given.value.substr(0, cross);
-  height.value = given.value.substr(cross + 1);
+  GivenOption width = part_of(given, given.value.substr(0, cross));
+  const GivenOption height = part_of(given, given.value.substr(cross + 1));
   std::string_view unit;
   (void)leading_number(height, unit);
   std::string_view own_unit;

@@ -3,12 +3,9 @@
 #include <algorithm>
 #include <cstdlib>
 #include <filesystem>
-#include <fstream>
 #include <initializer_list>
-#include <sstream>
 
 #include "camera/text.h"
-#include "core/image/run_files.h"
 #include "parser/options/options_table.h"
 #include "parser/options/said_options.h"
 
@@ -42,20 +39,16 @@ void apply_line(RenderOptions& scratch, const std::string& path, const IniLine& 
 void append_file(const std::string& path, std::vector<LensProfile>& out) {
   std::error_code error;
   if (!fs::is_regular_file(path, error)) return;
-  std::ifstream in(path, std::ios::binary);
-  std::ostringstream text;
-  if (in) text << in.rdbuf();
-  if (!in) throw OptionError("cannot read the INI file '" + path + "'");
-  core::note_input(path);
-  (void)ini_lines(text.str(), path, {path, "", false});  // says which labels are none
+  const std::string text = ini_file_text(path);
+  (void)ini_lines(text, path, {path, "", false});  // says which labels are none
   std::vector<std::string> labels;
-  for (std::string& label : ini_labels(text.str())) {
+  for (std::string& label : ini_labels(text)) {
     const auto same = [&label](const std::string& known) { return same_word(known, label); };
     if (std::ranges::none_of(labels, same)) labels.push_back(std::move(label));
   }
   for (const std::string& label : labels) {
     RenderOptions scratch;
-    for (const IniLine& line : ini_lines(text.str(), path, {path, label, true}).lines) {
+    for (const IniLine& line : ini_lines(text, path, {path, label, true}).lines) {
       apply_line(scratch, path, line);
     }
     out.push_back({label, scratch.lens, false, path});
@@ -119,12 +112,11 @@ void apply_lens_sheet(RenderOptions& o, std::span<const std::string> files) {
     std::vector<std::string_view> names;
     for (const LensProfile& sheet : sheets) names.emplace_back(sheet.name);
     const std::string_view near = near_name(o.lens_sheet, names);
-    const std::vector<std::string> said{"Lens_Sheet"};
     throw OptionError(
         with_said("there is no lens sheet '" + o.lens_sheet + "'" +
                       (near.empty() ? "" : "; did you mean " + std::string(near) + "?") +
                       " (Lens_Sheet=list shows all)",
-                  o, said));
+                  o, {"Lens_Sheet"}));
   }
   camera::LensRequest lens;
   static_cast<camera::LensData&>(lens) = found->data;

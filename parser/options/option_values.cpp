@@ -3,25 +3,38 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <initializer_list>
 #include <string_view>
 #include <vector>
 
 #include "core/base/formed.h"
 
 namespace lentray::parser {
+namespace {
+
+bool is_among(std::string_view text, std::initializer_list<const char*> words) {
+  return std::ranges::any_of(words, [&](const char* word) { return same_word(text, word); });
+}
+
+}  // namespace
+
+GivenOption part_of(const GivenOption& given, std::string text) {
+  GivenOption part = given;
+  part.value = std::move(text);
+  return part;
+}
 
 void refuse(const GivenOption& given, const std::string& why) {
   throw OptionError(given.where + "option " + given.shown + ": " + why);
 }
 
+bool says_on(std::string_view text) { return is_among(text, {"true", "yes", "on", "1"}); }
+bool says_off(std::string_view text) { return is_among(text, {"false", "no", "off", "0"}); }
+
 bool truth(RenderOptions& options, const GivenOption& given) {
   if (given.sign != 0) return given.sign == '+';
-  for (const char* word : {"true", "yes", "on", "1"}) {
-    if (same_word(given.value, word)) return true;
-  }
-  for (const char* word : {"false", "no", "off", "0"}) {
-    if (same_word(given.value, word)) return false;
-  }
+  if (says_on(given.value)) return true;
+  if (says_off(given.value)) return false;
   // As in stock, whatever is not on is off; that deserves a word.
   options.warnings.push_back(given.where + "option " + given.shown +
                              ": neither on nor off, taken as off");
@@ -44,27 +57,37 @@ std::int64_t whole_number(const GivenOption& given, std::int64_t least, std::int
   return value;
 }
 
-double number(const GivenOption& given) {
-  std::string_view text = given.value;
-  if (!text.empty() && text.front() == '+') text.remove_prefix(1);
+namespace {
+
+/// Takes the finite number off a text that begins with one.
+std::optional<double> take_number(std::string_view& text) {
+  if (text.starts_with('+')) text.remove_prefix(1);
   double value = 0.0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (text.empty() || error != std::errc() || end != text.data() + text.size() ||
-      !std::isfinite(value)) {
-    refuse(given, "a number is expected");
-  }
+  if (error != std::errc() || !std::isfinite(value)) return std::nullopt;
+  text.remove_prefix(static_cast<std::size_t>(end - text.data()));
   return value;
 }
 
+}  // namespace
+
+std::optional<double> number_in(std::string_view text) {
+  const auto value = take_number(text);
+  return text.empty() ? value : std::nullopt;
+}
+
+double number(const GivenOption& given) {
+  const auto value = number_in(given.value);
+  if (!value) refuse(given, "a number is expected");
+  return *value;
+}
+
 double leading_number(const GivenOption& given, std::string_view& rest) {
-  std::string_view text = given.value;
-  while (!text.empty() && (text.front() == ' ' || text.front() == '\t')) text.remove_prefix(1);
-  if (!text.empty() && text.front() == '+') text.remove_prefix(1);
-  double value = 0.0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (error != std::errc() || !std::isfinite(value)) refuse(given, "a number is expected");
-  rest = text.substr(static_cast<std::size_t>(end - text.data()));
-  return value;
+  rest = given.value;
+  rest.remove_prefix(std::min(rest.find_first_not_of(" \t"), rest.size()));
+  const auto value = take_number(rest);
+  if (!value) refuse(given, "a number is expected");
+  return *value;
 }
 
 namespace {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -21,9 +22,16 @@ struct GivenOption {
   bool from_scene = false;     ///< of an INI file that came with the scene
 };
 
+/// A part of a value, such as a number of a list.
+GivenOption part_of(const GivenOption& given, std::string text);
+
 [[noreturn]] void refuse(const GivenOption& given, const std::string& why);
+bool says_on(std::string_view text);
+bool says_off(std::string_view text);
 bool truth(RenderOptions& options, const GivenOption& given);  ///< of a switch: its sign
 std::int64_t whole_number(const GivenOption& given, std::int64_t least, std::int64_t most);
+/// A finite number, if the text is one.
+std::optional<double> number_in(std::string_view text);
 double number(const GivenOption& given);
 /// As stock reads the numbers of its own options: what follows the number is dropped, a whole number
 /// loses its fraction, and what is too small or large is cut to the range. A warning names all but

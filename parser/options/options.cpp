@@ -38,27 +38,6 @@ std::string_view near_option(std::string_view name) {
   return near_name(name, names);
 }
 
-class OptionsReader {
- public:
-  /// `restricted`: by the user's own words.
-  OptionsReader(RenderOptions& options, bool restricted)
-      : m_options(options), m_restricted(restricted) {}
-
-  void named(const std::string& name, GivenOption given, int depth);
-  void switched(const std::string& text, GivenOption given);
-  void file(const IniName& name, const std::string& path, GivenOption given, int depth);
-  void bare(const std::string& text, const GivenOption& given, int depth);
-  void scene_file(const std::string& path);
-
- private:
-  void apply(const OptionRow& row, const GivenOption& given);
-  void name_scene(const std::string& name, const GivenOption& given);
-  void check_scenes_ini(const std::string& path, const GivenOption& given) const;
-  std::string find(const std::string& name, const GivenOption& given) const;
-  RenderOptions& m_options;
-  const bool m_restricted;
-};
-
 /// What an INI file of the scene's names is remembered, to be judged when all is known.
 template <class Work>
 void watched(RenderOptions& options, const GivenOption& given, const Work& work) {
@@ -68,138 +47,149 @@ void watched(RenderOptions& options, const GivenOption& given, const Work& work)
   add_scene_words(options, before, given.where + "option " + given.shown);
 }
 
-void OptionsReader::apply(const OptionRow& row, const GivenOption& given) {
-  watched(m_options, given, [&] { row.access.apply(m_options, given); });
-  if (row.name.empty()) return;
-  std::string where = given.where;
-  if (where.ends_with(": ")) where.resize(where.size() - 2);
-  m_options.said[std::string(row.name)] = {given.shown, where};
-}
+class OptionsReader {
+ public:
+  /// `restricted`: by the user's own words.
+  OptionsReader(RenderOptions& options, bool restricted)
+      : m_options(options), m_restricted(restricted) {}
 
-void OptionsReader::name_scene(const std::string& name, const GivenOption& given) {
-  watched(m_options, given, [&] { m_options.input = name; });
-}
-
-/// An INI file that came with a scene, and what it includes, lie where it came from: what they say gets into
-/// messages.
-void OptionsReader::check_scenes_ini(const std::string& path, const GivenOption& given) const {
-  if (!m_restricted) return;
-  std::error_code error;
-  const std::string& name = m_options.scene_ini_folder;
-  const fs::path folder = fs::canonical(name.empty() ? "." : name, error);
-  const fs::path place = fs::canonical(path, error);
-  const auto [end, at] = std::mismatch(folder.begin(), folder.end(), place.begin(), place.end());
-  if (!error && end == folder.end()) return;
-  throw OptionError(given.where + "Restrict_IO: the INI file '" + shown_name(path) +
-                    "' is refused: an INI file that came with a scene, and what it includes, lie "
-                    "in its folder");
-}
-
-void OptionsReader::scene_file(const std::string& path) {
-  GivenOption given;
-  given.from_scene = true;
-  m_options.scene_ini_folder = fs::path(path).parent_path().string();
-  check_scenes_ini(path, given);
-  file({path, "", false}, path, given, 1);
-}
-
-void OptionsReader::named(const std::string& name, GivenOption given, int depth) {
-  if (same_word(name, "Include_Ini")) return bare(given.value, given, depth + 1);
-  for (const OptionRow& row : option_table()) {
-    if (!row.name.empty() && same_word(row.name, name)) return apply(row, given);
+  void scene_file(const std::string& path) {
+    GivenOption given;
+    given.from_scene = true;
+    m_options.scene_ini_folder = fs::path(path).parent_path().string();
+    check_scenes_ini(path, given);
+    file({path, "", false}, path, given, 1);
   }
-  const std::string_view near = near_option(name);
-  const std::string message = given.where + "unknown option '" + name + "'" +
-                              (near.empty() ? "" : "; did you mean " + std::string(near) + "?");
-  if (!given.from_defaults) throw OptionError(message);
-  m_options.warnings.push_back(message);
-}
 
-void OptionsReader::switched(const std::string& text, GivenOption given) {
-  given.sign = text.front();
-  const std::string_view body = std::string_view(text).substr(1);
-  const OptionRow* best = nullptr;
-  for (const OptionRow& row : option_table()) {
-    const std::size_t size = row.switch_name.size();
-    if (size == 0 || size > body.size() || !same_word(row.switch_name, body.substr(0, size))) {
-      continue;
+  void named(const std::string& name, GivenOption given, int depth) {
+    if (same_word(name, "Include_Ini")) return bare(given.value, given, depth + 1);
+    for (const OptionRow& row : option_table()) {
+      if (!row.name.empty() && same_word(row.name, name)) return apply(row, given);
     }
-    if (!best || size > best->switch_name.size()) best = &row;
+    const std::string_view near = near_option(name);
+    const std::string message = given.where + "unknown option '" + name + "'" +
+                                (near.empty() ? "" : "; did you mean " + std::string(near) + "?");
+    if (!given.from_defaults) throw OptionError(message);
+    m_options.warnings.push_back(message);
   }
-  if (!best) {
-    throw OptionError(given.where + "unknown switch '" + text +
-                      "'; a scene file is named as +Ifile or by its name alone");
-  }
-  given.value = unquoted(body.substr(best->switch_name.size()));
-  apply(*best, given);
-}
 
-/// An INI file is looked for as it is named, with .ini added, and then along the library paths.
-std::string OptionsReader::find(const std::string& name, const GivenOption& given) const {
-  std::vector<std::string> folders{""};
-  if (fs::path(name).is_relative()) {
-    // The current folder may be another than that of a scene's own file.
-    if (given.from_scene) folders.push_back(m_options.scene_ini_folder);
-    folders.insert(folders.end(), m_options.library_paths.begin(), m_options.library_paths.end());
+  void switched(const std::string& text, GivenOption given) {
+    given.sign = text.front();
+    const std::string_view body = std::string_view(text).substr(1);
+    const OptionRow* best = nullptr;
+    for (const OptionRow& row : option_table()) {
+      const std::size_t size = row.switch_name.size();
+      if (size == 0 || size > body.size() || !same_word(row.switch_name, body.substr(0, size))) {
+        continue;
+      }
+      if (!best || size > best->switch_name.size()) best = &row;
+    }
+    if (!best) {
+      throw OptionError(given.where + "unknown switch '" + text +
+                        "'; a scene file is named as +Ifile or by its name alone");
+    }
+    given.value = unquoted(body.substr(best->switch_name.size()));
+    apply(*best, given);
   }
-  for (const std::string& folder : folders) {
-    for (const char* end : {"", ".ini", ".INI"}) {
-      const fs::path path = folder.empty() ? fs::path(name + end) : fs::path(folder) / (name + end);
-      if (is_file(path)) return path.string();
+
+  void file(const IniName& name, const std::string& path, GivenOption given, int depth) {
+    if (depth > kNesting) {
+      throw OptionError(given.where + "INI files are nested more than " + std::to_string(kNesting) +
+                        " deep");
+    }
+    for (const IniLine& line : read_ini(path, name, m_options.warnings).lines) {
+      GivenOption next;
+      next.from_defaults = given.from_defaults;
+      next.from_scene = given.from_scene;
+      next.where = path + ":" + std::to_string(line.line) + ": ";
+      switch (line.kind) {
+        case IniLine::Kind::kOption:
+          next.shown = line.text + "=" + line.value;
+          next.value = line.value;
+          named(line.text, next, depth);
+          break;
+        case IniLine::Kind::kSwitch:
+          next.shown = line.text;
+          switched(line.text, next);
+          break;
+        case IniLine::Kind::kNested:
+          next.shown = line.text;
+          bare(line.text, next, depth + 1);
+          break;
+      }
     }
   }
-  return {};
-}
 
-void OptionsReader::file(const IniName& name, const std::string& path, GivenOption given,
-                         int depth) {
-  if (depth > kNesting) {
-    throw OptionError(given.where + "INI files are nested more than " + std::to_string(kNesting) +
-                      " deep");
-  }
-  for (const IniLine& line : read_ini(path, name, m_options.warnings).lines) {
-    GivenOption next;
-    next.from_defaults = given.from_defaults;
-    next.from_scene = given.from_scene;
-    next.where = path + ":" + std::to_string(line.line) + ": ";
-    switch (line.kind) {
-      case IniLine::Kind::kOption:
-        next.shown = line.text + "=" + line.value;
-        next.value = line.value;
-        named(line.text, next, depth);
-        break;
-      case IniLine::Kind::kSwitch:
-        next.shown = line.text;
-        switched(line.text, next);
-        break;
-      case IniLine::Kind::kNested:
-        next.shown = line.text;
-        bare(line.text, next, depth + 1);
-        break;
+  /// A name without a switch: a scene, or an INI file with or without a section.
+  void bare(const std::string& text, const GivenOption& given, int depth) {
+    const IniName name = ini_name(text);
+    if (!name.has_label && ends_with(name.file, ".pov")) {
+      return name_scene(name.file, given);
     }
+    const std::string path = find(name.file, given);
+    if (!path.empty()) {
+      if (given.from_scene) check_scenes_ini(path, given);
+      return file(name, path, given, depth);
+    }
+    if (!name.has_label) {
+      for (const char* end : {".pov", ".POV"}) {
+        if (!is_file(name.file + end)) continue;
+        return name_scene(name.file + end, given);
+      }
+    }
+    throw OptionError(given.where + "there is no INI file '" + name.file + "'" +
+                      (name.has_label ? "" : " and no scene of that name"));
   }
-}
 
-/// A name without a switch: a scene, or an INI file with or without a section.
-void OptionsReader::bare(const std::string& text, const GivenOption& given, int depth) {
-  const IniName name = ini_name(text);
-  if (!name.has_label && ends_with(name.file, ".pov")) {
-    return name_scene(name.file, given);
+ private:
+  void apply(const OptionRow& row, const GivenOption& given) {
+    watched(m_options, given, [&] { row.access.apply(m_options, given); });
+    if (row.name.empty()) return;
+    std::string where = given.where;
+    if (where.ends_with(": ")) where.resize(where.size() - 2);
+    m_options.said[std::string(row.name)] = {given.shown, where};
   }
-  const std::string path = find(name.file, given);
-  if (!path.empty()) {
-    if (given.from_scene) check_scenes_ini(path, given);
-    return file(name, path, given, depth);
+
+  void name_scene(const std::string& name, const GivenOption& given) {
+    watched(m_options, given, [&] { m_options.input = name; });
   }
-  if (!name.has_label) {
-    for (const char* end : {".pov", ".POV"}) {
-      if (!is_file(name.file + end)) continue;
-      return name_scene(name.file + end, given);
+
+  /// An INI file that came with a scene, and what it includes, lie where it came from: what they say gets into
+  /// messages.
+  void check_scenes_ini(const std::string& path, const GivenOption& given) const {
+    if (!m_restricted) return;
+    std::error_code error;
+    const std::string& name = m_options.scene_ini_folder;
+    const fs::path folder = fs::canonical(name.empty() ? "." : name, error);
+    const fs::path place = fs::canonical(path, error);
+    const auto [end, at] = std::mismatch(folder.begin(), folder.end(), place.begin(), place.end());
+    if (!error && end == folder.end()) return;
+    throw OptionError(given.where + "Restrict_IO: the INI file '" + shown_name(path) +
+                      "' is refused: an INI file that came with a scene, and what it includes, lie "
+                      "in its folder");
+  }
+
+  /// An INI file is looked for as it is named, with .ini added, and then along the library paths.
+  std::string find(const std::string& name, const GivenOption& given) const {
+    std::vector<std::string> folders{""};
+    if (fs::path(name).is_relative()) {
+      // The current folder may be another than that of a scene's own file.
+      if (given.from_scene) folders.push_back(m_options.scene_ini_folder);
+      folders.insert(folders.end(), m_options.library_paths.begin(), m_options.library_paths.end());
     }
+    for (const std::string& folder : folders) {
+      for (const char* end : {"", ".ini", ".INI"}) {
+        const fs::path path =
+            folder.empty() ? fs::path(name + end) : fs::path(folder) / (name + end);
+        if (is_file(path)) return path.string();
+      }
+    }
+    return {};
   }
-  throw OptionError(given.where + "there is no INI file '" + name.file + "'" +
-                    (name.has_label ? "" : " and no scene of that name"));
-}
+
+  RenderOptions& m_options;
+  const bool m_restricted;
+};
 
 /// The file that `--name FILE` or `--name=FILE` gives.
 std::string file_of(std::span<const std::string> arguments, std::size_t& at,
@@ -293,9 +283,9 @@ void settle(RenderOptions& options) {
   try {
     settle_views(options);
   } catch (const OptionError& error) {
-    const std::vector<std::string> names{"View",  "Views",      "View_Size",    "View_Clock",
-                                         "Quilt", "Quilt_Tile", "Quilt_Aspect", "View_Cone"};
-    throw OptionError(with_said(error.what(), options, names));
+    throw OptionError(with_said(error.what(), options,
+                                {"View", "Views", "View_Size", "View_Clock", "Quilt", "Quilt_Tile",
+                                 "Quilt_Aspect", "View_Cone"}));
   }
 }
 
@@ -358,29 +348,21 @@ RenderOptions read_with(const std::string& default_ini, std::span<const std::str
   for (const std::string& folder : sources.standard_libraries) {
     std::error_code error;
     if (!fs::is_directory(folder, error)) continue;
-    std::string clean = folder;
-    bool known = false;
-    for (const std::string& path : options.library_paths) known = known || path == clean;
-    if (!known) options.library_paths.push_back(std::move(clean));
+    auto& known = options.library_paths;
+    if (std::ranges::find(known, folder) == known.end()) known.push_back(folder);
   }
   return options;
 }
 
-/// The first that exists, from one on.
-std::string first_ini(const std::vector<std::string>& names, std::size_t from) {
-  for (std::size_t i = from; i < names.size(); ++i) {
-    if (is_file(names[i])) return names[i];
-  }
-  return {};
+/// The first that exists.
+std::string first_ini(std::span<const std::string> names) {
+  const auto found = std::ranges::find_if(names, is_file);
+  return found == names.end() ? "" : *found;
 }
-
-}  // namespace
-
-namespace {
 
 RenderOptions read_all(std::span<const std::string> arguments, const OptionSources& sources) {
   const std::vector<std::string>& inis = sources.default_ini_files;
-  const std::string ini = first_ini(inis, 0);
+  const std::string ini = first_ini(inis);
   // What the user restricted, before or behind, holds for all that the scene's own INI file says.
   const bool restricted = std::ranges::any_of(arguments, is_scene_ini) &&
                           read_words(ini, arguments, Words::kUsers).restrict_io;
@@ -389,9 +371,9 @@ RenderOptions read_all(std::span<const std::string> arguments, const OptionSourc
   if (restricted) options.restrict_io = true;
   if (!options.restrict_io || ini != kFolderIni) return options;
   // It may have come with the scene, and could name folders, files and commands.
-  const auto folders = std::find(inis.begin(), inis.end(), kFolderIni);
-  options = read_with(first_ini(inis, static_cast<std::size_t>(folders - inis.begin()) + 1),
-                      arguments, sources, Words::kAllRestricted);
+  const auto folders = std::ranges::find(inis, kFolderIni);
+  options =
+      read_with(first_ini({folders + 1, inis.end()}), arguments, sources, Words::kAllRestricted);
   options.restrict_io = true;
   options.warnings.emplace_back(
       "Restrict_IO=On: the current folder's povray.ini is not read; name it to have it read");

@@ -52,23 +52,12 @@ void set_all_consoles(Options& o, const Given& g) {
 /// A name; `true` for the stream's usual one.
 template <std::string Options::*file, Word usual>
 void set_stream_file(Options& o, const Given& g) {
-  o.*file = g.value;
-  for (const char* word : {"false", "no", "off", "0"}) {
-    if (same_word(g.value, word)) o.*file = "";
-  }
-  for (const char* word : {"true", "yes", "on", "1", ""}) {
-    if (same_word(g.value, word)) o.*file = usual.text;
-  }
+  const bool is_usual = g.value.empty() || says_on(g.value);
+  o.*file = is_usual ? usual.text : says_off(g.value) ? "" : g.value;
 }
 void set_create_ini(Options& o, const Given& g) {
-  o.create_ini = g.sign != '-';
-  o.ini_file = g.value;
-  for (const char* word : {"false", "no", "off", "0"}) {
-    if (same_word(g.value, word)) o.create_ini = false;
-  }
-  for (const char* word : {"true", "yes", "on", "1"}) {
-    if (same_word(g.value, word)) o.ini_file = "";
-  }
+  o.create_ini = g.sign != '-' && !says_off(g.value);
+  o.ini_file = says_on(g.value) ? "" : g.value;
 }
 
 /// +A and +A0.2 turn it on, -A and -A0.2 off; the number is kept either way.
@@ -130,10 +119,8 @@ void add_declare(Options& o, const Given& g) {
                        std::all_of(name.begin(), name.end(),
                                    [](unsigned char c) { return std::isalnum(c) || c == '_'; });
   if (!is_name) refuse(g, "'" + name + "' cannot be the name of an identifier");
-  Given only = g;
-  only.value = value;
   const bool is_text = value.size() >= 2 && value.front() == '"' && value.back() == '"';
-  if (!is_text) (void)number(only);
+  if (!is_text) (void)number(part_of(g, value));
   std::erase_if(o.declares, [&](const auto& d) { return d.first == name; });
   o.declares.emplace_back(name, is_text ? value.substr(1, value.size() - 2) : value);
 }
@@ -155,9 +142,7 @@ void set_order(Options& o, const Given& g) {
                                          "strips", "tiles", "serpentine", "hilbert", "adaptive"};
   // combined(4), strips(4,32): the order itself judges its numbers.
   const std::size_t bracket = std::min(g.value.find('('), g.value.size());
-  Given name = g;
-  name.value = g.value.substr(0, bracket);
-  o.pixel_order = choice(name, "pixel order", kThere);
+  o.pixel_order = choice(part_of(g, g.value.substr(0, bracket)), "pixel order", kThere);
   o.pixel_order += g.value.substr(bracket);
 }
 void set_cache(Options& o, const Given& g) {
@@ -190,9 +175,7 @@ Quantity quantity(const Given& g) {
   out.unit = text.substr(letters);
   text.erase(letters);
   while (!text.empty() && text.back() == ' ') text.pop_back();
-  Given only = g;
-  only.value = text;
-  out.number = positive(only);
+  out.number = positive(part_of(g, text));
   return out;
 }
 void set_scene_writes(Options& o, const Given& g) {
@@ -286,12 +269,6 @@ void set_radiosity_switch(Options& o, const Given& g) {
 }
 // ---- lines of an INI file ------------------------------------------------------------------------
 
-bool is_number(std::string_view text) {
-  if (!text.empty() && text.front() == '+') text.remove_prefix(1);
-  double value = 0.0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  return !text.empty() && error == std::errc() && end == text.data() + text.size();
-}
 std::string text_of(double x) { return IniLines::text_of(x); }
 std::string text_of(const PixelSize& s) {
   return std::to_string(s.width) + "x" + std::to_string(s.height);
@@ -302,7 +279,7 @@ void write_libraries(const Options& o, std::string_view name, IniLines& out) {
 }
 void write_declares(const Options& o, std::string_view name, IniLines& out) {
   for (const auto& [identifier, value] : o.declares) {
-    out.line(name, identifier + "=" + (is_number(value) ? value : '"' + value + '"'));
+    out.line(name, identifier + "=" + (number_in(value) ? value : '"' + value + '"'));
   }
 }
 void write_version(const Options& o, std::string_view name, IniLines& out) {

@@ -48,10 +48,9 @@ constexpr TypeWord kTypes[] = {{"N", core::FileType::png},
 constexpr int kFloatBits = 32;
 
 void set_bits(RenderOptions& o, const GivenOption& g, std::string_view digits) {
-  GivenOption only = g;
-  only.value = std::string(digits);
   std::from_chars(digits.data(), digits.data() + digits.size(), o.bits);
-  if (o.bits != kFloatBits) o.bits = static_cast<int>(cut_whole(o, only, 5, 16));
+  if (o.bits != kFloatBits)
+    o.bits = static_cast<int>(cut_whole(o, part_of(g, std::string(digits)), 5, 16));
 }
 
 }  // namespace

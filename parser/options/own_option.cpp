@@ -33,12 +33,6 @@ std::optional<GivenOption> own_option(const std::vector<std::string>& words, std
   return given;
 }
 
-GivenOption part_of(const GivenOption& given, std::string text) {
-  GivenOption part = given;
-  part.value = std::move(text);
-  return part;
-}
-
 std::filesystem::path file_name(const GivenOption& given, const char* what) {
   if (given.value.empty()) refuse(given, std::string("the name of a ") + what + " is expected");
   return given.value;

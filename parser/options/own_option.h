@@ -53,8 +53,6 @@ inline constexpr auto of_member = [](auto& target) -> auto& {
   return target.*Outer.*Inner;
 };
 
-/// A part of a value, such as a number of a list.
-GivenOption part_of(const GivenOption& given, std::string text);
 /// "the name of a file is expected", unless it is there.
 std::filesystem::path file_name(const GivenOption& given, const char* what = "file");
 

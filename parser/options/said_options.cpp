@@ -10,7 +10,7 @@ std::size_t said_count(const RenderOptions& options, std::span<const std::string
 }
 
 std::string with_said(const std::string& message, const RenderOptions& options,
-                      std::span<const std::string> names) {
+                      const std::vector<std::string>& names) {
   std::string list;
   const auto add = [&](const std::string& name) {
     const auto at = options.said.find(name);

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <span>
 #include <string>
+#include <vector>
 
 #include "parser/options/options.h"
 
@@ -16,6 +17,6 @@ std::size_t said_count(const RenderOptions& options, std::span<const std::string
 /// last: "(Lens_Radius=0.1 in sheet.ini:3, Lens_Pitch=1)". Of a lens that was not said to its
 /// end, the lens sheet's name too.
 std::string with_said(const std::string& message, const RenderOptions& options,
-                      std::span<const std::string> names);
+                      const std::vector<std::string>& names);
 
 }  // namespace lentray::parser

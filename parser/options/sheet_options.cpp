@@ -27,13 +27,10 @@ void slant(Options& o, const Given& g) {
 
 void print_dpi(Options& o, const Given& g) {
   const std::size_t times = g.value.find_first_of("xX");
-  Given along = g, down = g;
-  along.value = g.value.substr(0, times);
-  o.lens.print_dpi = positive(along);
+  o.lens.print_dpi = positive(part_of(g, g.value.substr(0, times)));
   o.print_dpi_down.reset();
   if (times == std::string::npos) return;
-  down.value = g.value.substr(times + 1);
-  o.print_dpi_down = positive(down);
+  o.print_dpi_down = positive(part_of(g, g.value.substr(times + 1)));
 }
 
 void view_distance(Options& o, const Given& g) {

@@ -41,13 +41,11 @@ void expect(const RenderOptions& o, std::int64_t given, double exact, const char
             const std::string& resolution) {
   constexpr double kAPixel = 1.0 + 1e-6;
   if (std::fabs(static_cast<double>(given) - exact) <= kAPixel) return;
-  const std::vector<std::string> names{name, std::string("Sheet_") + name, "Print_DPI",
-                                       "Lens_Pixels"};
   throw OptionError(with_said(std::string(name) + "=" + std::to_string(given) + " and Sheet_" +
                                   name + "=" + format(mm) + "mm at " + resolution + " (" +
                                   format(std::round(exact)) +
                                   " pixels) contradict each other: leave out one of them",
-                              o, names));
+                              o, {name, std::string("Sheet_") + name, "Print_DPI", "Lens_Pixels"}));
 }
 
 void fit(RenderOptions& o, double width, double height) {
@@ -80,18 +78,16 @@ void fit(RenderOptions& o, double width, double height) {
 
 void fit_picture_to_sheet(RenderOptions& o) {
   if (o.sheet_width.has_value() != o.sheet_height.has_value()) {
-    const std::vector<std::string> names{"Sheet_Width", "Sheet_Height"};
     throw OptionError(with_said(std::string(o.sheet_width ? "Sheet_Width needs Sheet_Height"
                                                           : "Sheet_Height needs Sheet_Width") +
                                     " too: they are the sizes of the lens sheet",
-                                o, names));
+                                o, {"Sheet_Width", "Sheet_Height"}));
   }
   if (!o.sheet_width) {
     if (!o.print_dpi_down) return;
-    const std::vector<std::string> names{"Print_DPI"};
     throw OptionError(with_said(
         "a second number of Print_DPI, for pixels downwards, needs Sheet_Width and Sheet_Height", o,
-        names));
+        {"Print_DPI"}));
   }
   try {
     fit(o, *o.sheet_width, *o.sheet_height);

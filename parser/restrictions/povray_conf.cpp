@@ -3,11 +3,9 @@
 #include <algorithm>
 #include <cstdlib>
 #include <filesystem>
-#include <fstream>
-#include <sstream>
 
 #include "core/base/trimmed.h"
-#include "core/image/run_files.h"
+#include "parser/files/files.h"
 #include "parser/options/ini.h"
 
 namespace lentray::parser {
@@ -155,14 +153,12 @@ std::vector<PovrayConf> installed_confs() {
     std::error_code error;
     const auto kind = fs::status(place, error).type();
     if (kind == fs::file_type::not_found) continue;
-    std::ostringstream text;
     if (kind == fs::file_type::regular) {
-      if (std::ifstream in(place, std::ios::binary); in && text << in.rdbuf()) {
-        core::note_input(place);
-        confs.push_back(parse_povray_conf(text.str(), place, folders));
+      if (fs::file_size(place, error) == 0 && !error) continue;
+      if (const auto text = disk_files().read(place)) {
+        confs.push_back(parse_povray_conf(*text, place, folders));
         continue;
       }
-      if (fs::file_size(place, error) == 0 && !error) continue;
     }
     PovrayConf closed;
     closed.path = place;

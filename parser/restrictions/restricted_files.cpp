@@ -8,7 +8,6 @@
 
 #include "core/image/run_files.h"
 #include "parser/base/shown.h"
-#include "parser/files/loose_path.h"
 
 namespace lentray::parser {
 namespace {
@@ -53,11 +52,6 @@ Descriptor RestrictedFiles::judged(const std::string& path) const {
 
 bool RestrictedFiles::exists(const std::string& path) const {
   return static_cast<bool>(judged(path));
-}
-
-std::optional<std::string> RestrictedFiles::find_loosely(const std::string& folder,
-                                                         const std::string& name) const {
-  return parser::find_loosely(folder, name);
 }
 
 std::optional<std::string> RestrictedFiles::read(const std::string& path) const {

@@ -18,8 +18,6 @@ class RestrictedFiles final : public Files {
   explicit RestrictedFiles(FileRules rules) : m_rules(std::move(rules)) {}
 
   bool exists(const std::string& path) const override;
-  std::optional<std::string> find_loosely(const std::string& folder,
-                                          const std::string& name) const override;
   std::optional<std::string> read(const std::string& path) const override;
   std::optional<std::string> read_scene(const std::string& path) const override;
   std::string hold(const std::string& path) override;

@@ -26,7 +26,7 @@ std::vector<const FunctionDesc*> functions_of(const ObjectDesc& object) {
 std::unique_ptr<core::Object> leaf_geometry(const ObjectDesc& object, bool& is_whole) {
   std::unique_ptr<core::Shape> shape;
   if (missing_function(object).empty()) {
-    const bool is_mesh = std::holds_alternative<std::shared_ptr<const MeshShape>>(object.shape);
+    const bool is_mesh = object.is_any<std::shared_ptr<const MeshShape>>();
     shape = is_mesh ? build_mesh(object) : build_shape(object);
   }
   if (!shape) {

@@ -45,11 +45,11 @@ bool may_exceed_box(const ObjectDesc& object, const ObjectDesc* around, bool in_
   }
   const bool is_cut = around && cuts(*around);
   // The solid of a height field is endless. Stock's box of a union does not know that.
-  if (std::holds_alternative<Sparse<HeightFieldShape>>(object.shape)) return in_cut && !is_cut;
+  if (object.is_any<Sparse<HeightFieldShape>>()) return in_cut && !is_cut;
   // Half of space is inside a disc, whose box is flat.
-  if (std::holds_alternative<DiscShape>(object.shape)) return is_cut && !around->inverse;
+  if (object.is_any<DiscShape>()) return is_cut && !around->inverse;
   // The box of a quadric is found from its equation.
-  return is_cut && std::holds_alternative<Sparse<QuadricShape>>(object.shape);
+  return is_cut && object.is_any<Sparse<QuadricShape>>();
 }
 
 bool holds(const core::Bounds& box, const core::Bounds& all) {
@@ -92,19 +92,17 @@ Regions boxed_bounds(const ObjectDesc& object, const core::Transform& outer) {
 
 /// Stock asks no patch for what clips it: the clips only lend their box.
 bool forgets_clips(const ObjectDesc& object) {
-  return std::holds_alternative<std::shared_ptr<const BicubicPatchShape>>(object.shape);
+  return object.is_any<std::shared_ptr<const BicubicPatchShape>>();
 }
 
 /// Of an object in the scene's list: whether it seems to stock worth a test of its bounds.
 bool keeps_bounds(const ObjectDesc& object) {
   if (const auto* quadric = std::get_if<Sparse<QuadricShape>>(&object.shape)) {
     const auto& clips = object.rare->clipped_by;
-    const bool is_limited =
-        std::any_of(clips.begin(), clips.end(), [](const auto& clip) { return !clip->inverse; });
+    const bool is_limited = std::ranges::any_of(clips, [](const auto& c) { return !c->inverse; });
     return has_products((*quadric)->c) || (!is_limited && is_open_all_around((*quadric)->c));
   }
-  return object.csg() || std::holds_alternative<PolyShape>(object.shape) ||
-         std::holds_alternative<Sparse<TextShape>>(object.shape);
+  return object.is_any<CsgShape, PolyShape, Sparse<TextShape>>();
 }
 
 }  // namespace
@@ -128,8 +126,7 @@ void set_limits(const ObjectDesc& object, const core::Transform& outer, const St
     gates = boxed_bounds(object, outer);
   if (!clips.empty() && !forgets_clips(object)) {
     out->set_clips(std::move(clips));
-    if (std::holds_alternative<PolyShape>(object.shape))
-      static_cast<core::Leaf&>(*out).search_within_clips();
+    if (object.is_any<PolyShape>()) static_cast<core::Leaf&>(*out).search_within_clips();
   }
   if (standing.on_list && !standing.is_split) {
     if (auto gate = box_gate(object, outer, *out)) gates.push_back(std::move(gate));

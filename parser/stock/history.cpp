@@ -49,10 +49,6 @@ void turn_quadric(ObjectDesc& object, const Transform& since, const Transform& s
   object.transform.edit().steps.edit().push_back({Kind::kTransform, step, {}});
 }
 
-bool is_quadric(const ObjectDesc& object) {
-  return std::holds_alternative<Sparse<QuadricShape>>(object.shape);
-}
-
 }  // namespace
 
 TransformStep step_of(TransformKind kind, const Transform& transform) {
@@ -67,19 +63,18 @@ TransformStep step_of(TransformKind kind, const Transform& transform) {
 }
 
 void note_step(ObjectDesc& object, const Transform& since, const TransformStep& step) {
-  if (std::holds_alternative<SphereShape>(object.shape) ||
-      std::holds_alternative<SphereSweepShape>(object.shape)) {
+  if (object.is_any<SphereShape, SphereSweepShape>()) {
     if (!step.keeps_balls) end_ball(object, since);
-  } else if (object.csg() || std::holds_alternative<Sparse<TextShape>>(object.shape)) {
+  } else if (object.is_any<CsgShape, Sparse<TextShape>>()) {
     turn_box(object, since, step.transform);
-  } else if (is_quadric(object)) {
+  } else if (object.is_any<Sparse<QuadricShape>>()) {
     turn_quadric(object, since, step.transform);
   }
   move_triangles(object, since, step.transform, step.scales);
 }
 
 void note_clips(ObjectDesc& object) {
-  if (!is_quadric(object)) return;
+  if (!object.is_any<Sparse<QuadricShape>>()) return;
   const Transform so_far = *object.transform;
   object.transform.edit().steps.edit().push_back({Kind::kClips, so_far, object.rare->clipped_by});
 }

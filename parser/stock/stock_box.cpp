@@ -83,17 +83,10 @@ Bounds about(const Vec3& centre, double radius) {
   return {centre - Vec3(radius), centre + Vec3(radius)};
 }
 
-bool is_height_field(const ObjectDesc& object) {
-  return std::holds_alternative<Sparse<HeightFieldShape>>(object.shape);
-}
-
 /// Those that `inverse` and a difference leave as they are, their boxes too.
 bool has_no_outside(const ObjectDesc& object) {
-  return std::holds_alternative<TriangleShape>(object.shape) ||
-         std::holds_alternative<PolygonShape>(object.shape) ||
-         std::holds_alternative<Sparse<SmoothTriangleShape>>(object.shape) ||
-         std::holds_alternative<std::shared_ptr<const BicubicPatchShape>>(object.shape) ||
-         std::holds_alternative<Sparse<ParametricShape>>(object.shape);
+  return object.is_any<TriangleShape, PolygonShape, Sparse<SmoothTriangleShape>,
+                       std::shared_ptr<const BicubicPatchShape>, Sparse<ParametricShape>>();
 }
 
 class BoxFinder {
@@ -235,9 +228,9 @@ class BoxFinder {
     bool outside = false;
     for (const Ref<ObjectDesc>& child : *s.children) {
       const bool is_kept = child->inverse == outside;
-      if (std::holds_alternative<Sparse<QuadricShape>>(child->shape)) {
+      if (child->is_any<Sparse<QuadricShape>>()) {
         if (is_kept) quadrics.push_back(child.get());
-      } else if (!child->is_light() && !is_height_field(*child)) {
+      } else if (!child->is_light() && !child->is_any<Sparse<HeightFieldShape>>()) {
         box.intersect(limited(*child, outside));
       }
       outside = s.operation == CsgOperation::kDifference;
@@ -414,9 +407,8 @@ core::Bounds kept_stock_box(const core::Bounds& box) { return kept(box); }
 
 bool heeds_regions(const ObjectDesc& object) {
   return object.reopened ||
-         !(is_height_field(object) ||
-           std::holds_alternative<std::shared_ptr<const BlobShape>>(object.shape) ||
-           std::holds_alternative<Sparse<JuliaFractalShape>>(object.shape));
+         !object.is_any<Sparse<HeightFieldShape>, std::shared_ptr<const BlobShape>,
+                        Sparse<JuliaFractalShape>>();
 }
 
 }  // namespace lentray::parser
