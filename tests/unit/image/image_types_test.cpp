@@ -11,7 +11,7 @@
 #include "core/image/quantiser.h"
 #include "core/image/reader.h"
 #include "core/image/writer.h"
-#include "tests/unit/written_image.h"
+#include "tests/unit/image/written_image.h"
 #include "tools/common/process.h"
 
 namespace lentray::core {

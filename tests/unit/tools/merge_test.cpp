@@ -5,7 +5,7 @@
 
 #include "core/image/writer.h"
 #include "parser/options/options.h"
-#include "tests/unit/written_image.h"
+#include "tests/unit/image/written_image.h"
 #include "tools/common/process.h"
 #include "tools/lentray-merge/arguments.h"
 #include "tools/lentray-merge/join.h"
