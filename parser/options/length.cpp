@@ -4,6 +4,8 @@
 #include <cmath>
 #include <string_view>
 
+#include "core/base/joined.h"
+
 namespace lentray::parser {
 namespace {
 
@@ -20,12 +22,6 @@ const LengthUnit* unit_named(std::string_view name) {
   return row == std::end(kUnits) ? nullptr : row;
 }
 
-std::string units() {
-  std::string out;
-  for (const LengthUnit& unit : kUnits) out += (out.empty() ? "" : ", ") + std::string(unit.name);
-  return out;
-}
-
 std::string_view without_blanks(std::string_view text) {
   while (!text.empty() && (text.front() == ' ' || text.front() == '\t')) text.remove_prefix(1);
   while (!text.empty() && (text.back() == ' ' || text.back() == '\t')) text.remove_suffix(1);
@@ -37,7 +33,7 @@ std::string_view without_blanks(std::string_view text) {
   refuse(given, "unknown unit '" + std::string(unit) +
                     "': a length is a number of mm, or has one of "
                     "the units " +
-                    units());
+                    core::joined(kUnits, ", ", &LengthUnit::name));
 }
 
 }  // namespace

@@ -60,10 +60,6 @@ int count_of(const std::string& option, const std::string& text) {
   return static_cast<int>(value);
 }
 
-bool is_ini(const std::string& word) {
-  return same_word(fs::path(parser::ini_name(word).file).extension().string(), ".ini");
-}
-
 /// What the batch itself decides of every run.
 constexpr std::array kOurs{"Input_File_Name", "Output_File_Name", "Output_To_File",
                            "Continue_Trace",  "Statistics_File",  "Dependencies_File",
@@ -150,12 +146,12 @@ class Parsing {
 
   void other(const std::string& word) {
     std::error_code error;
-    const bool is_switch = word.size() > 1 && (word[0] == '+' || word[0] == '-');
-    if (!is_switch && !is_ini(word) && fs::exists(word, error)) {
+    const bool is_switch = parser::is_switch(word);
+    if (!is_switch && !parser::is_ini(word) && fs::exists(word, error)) {
       m_out.inputs.emplace_back(word);
     } else if (is_switch || word.find('=') != std::string::npos) {
       m_out.for_lentray.push_back(with_whole_path(word, is_switch));
-    } else if (is_ini(word)) {
+    } else if (parser::is_ini(word)) {
       m_out.for_lentray.push_back(fs::absolute(word).string());
     } else {
       throw OptionError("there is no folder or scene '" + word + "'");
@@ -190,7 +186,7 @@ class Parsing {
           throw OptionError("'" + word + "': the batch decides that of every scene itself" +
                             instead(ours));
       }
-      if (word.size() < 2 || (word[0] != '+' && word[0] != '-')) continue;
+      if (!parser::is_switch(word)) continue;
       const std::string two = word.substr(1, 2);
       const char letter = static_cast<char>(std::tolower(static_cast<unsigned char>(word[1])));
       if (letter == 'i' || letter == 'o' || same_word(two, "wt") ||

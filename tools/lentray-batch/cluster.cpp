@@ -6,6 +6,7 @@
 #include <cstdio>
 #include <stdexcept>
 
+#include "core/base/joined.h"
 #include "tools/common/duration.h"
 #include "tools/common/messages.h"
 #include "tools/common/process.h"
@@ -193,9 +194,7 @@ std::string Cluster::rows_of_bands(const std::string& name) const {
         rows[i.band] = std::to_string(i.first_row) + "-" + std::to_string(i.last_row);
     }
   }
-  std::string out;
-  for (const auto& [band, text] : rows) out += (out.empty() ? "" : ",") + text;
-  return out;
+  return core::joined(rows, ",", [](const auto& band) { return band.second; });
 }
 
 void Cluster::merge(const std::string& name, const std::vector<Row>& bands) {

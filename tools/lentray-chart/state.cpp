@@ -1,11 +1,5 @@
 #include "tools/lentray-chart/state.h"
 
-#include <fcntl.h>
-#include <sys/file.h>
-#include <unistd.h>
-
-#include <cerrno>
-#include <cstring>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 #include <system_error>
@@ -114,15 +108,6 @@ static void json_members(auto& io, tool::Of<ChartState> auto& state) {
   io("chart", state.chart);
 }
 
-namespace {
-
-[[noreturn]] void fail(const fs::path& place, int error) {
-  throw std::runtime_error("cannot write into the folder '" + place.string() +
-                           "': " + std::strerror(error));
-}
-
-}  // namespace
-
 std::string change_in(const FilesRead& files) {
   for (const auto& [path, sum] : files.read) {
     const auto now = parser::file_checksum(path);
@@ -147,21 +132,10 @@ ChartState state_of(const std::string& text) {
 }
 
 ChartFolder::ChartFolder(const fs::path& out)
-    : m_out(fs::absolute(out).lexically_normal()), m_own(m_out / ".lentray-chart") {
-  for (const fs::path& folder : {m_own, m_out / "pictures"}) {
-    std::error_code error;
-    fs::create_directories(folder, error);
-    if (error) fail(m_out, error.value());
-  }
-  m_lock = ::open((m_own / "lock").c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666);
-  if (m_lock < 0) fail(m_out, errno);
-  if (::flock(m_lock, LOCK_EX | LOCK_NB) != 0) {
-    ::close(m_lock);
-    throw std::runtime_error("another lentray-chart works in '" + m_out.string() + "'");
-  }
+    : OwnFolder(fs::absolute(out).lexically_normal(), "lentray-chart"),
+      m_out(fs::absolute(out).lexically_normal()) {
+  tool::make_folder(m_out / "pictures", m_out);
 }
-
-ChartFolder::~ChartFolder() { ::close(m_lock); }
 
 std::optional<ChartState> ChartFolder::load() const {
   std::error_code error;
