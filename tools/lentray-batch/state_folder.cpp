@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <system_error>
 
+#include "core/base/ignored_error.h"
 #include "tools/common/companion.h"
 
 namespace lentray::batch {
@@ -30,8 +31,7 @@ void StateFolder::reserve(std::size_t pictures) const {
 }
 
 void StateFolder::forget_radiosity() const {
-  std::error_code error;
-  fs::remove_all(radiosity_folder(), error);
+  fs::remove_all(radiosity_folder(), core::ignored_error());
 }
 
 StateFolder::~StateFolder() {
@@ -65,14 +65,12 @@ void StateFolder::forget_others(const std::string& name, const std::string& key)
     if (!file.starts_with(begin) || file.starts_with(ours) || end_of_key == std::string::npos ||
         file[end_of_key] != '.' || end_of_key < begin.size() + 16)
       continue;
-    std::error_code ignored;
-    fs::remove(at->path(), ignored);
+    fs::remove(at->path(), core::ignored_error());
   }
 }
 
 bool StateFolder::free_reserve() const {
-  std::error_code error;
-  return fs::remove(path() / "reserve", error);
+  return fs::remove(path() / "reserve", core::ignored_error());
 }
 
 }  // namespace lentray::batch

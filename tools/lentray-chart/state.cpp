@@ -4,6 +4,7 @@
 #include <stdexcept>
 #include <system_error>
 
+#include "core/base/ignored_error.h"
 #include "parser/files/watched_files.h"
 #include "tools/common/json_fields.h"
 #include "tools/common/json_text.h"
@@ -115,8 +116,7 @@ std::string change_in(const FilesRead& files) {
     if (*now != sum) return path + " has changed";
   }
   for (const std::string& path : files.missing) {
-    std::error_code error;
-    if (fs::exists(path, error)) return path + " has come to be";
+    if (fs::exists(path, core::ignored_error())) return path + " has come to be";
   }
   return "";
 }
@@ -138,8 +138,7 @@ ChartFolder::ChartFolder(const fs::path& out)
 }
 
 std::optional<ChartState> ChartFolder::load() const {
-  std::error_code error;
-  if (!fs::exists(own("state.json"), error)) return std::nullopt;
+  if (!fs::exists(own("state.json"), core::ignored_error())) return std::nullopt;
   return state_of(tool::read_text(own("state.json")));
 }
 
@@ -151,8 +150,7 @@ void ChartFolder::remove_pictures() const {
   std::error_code error;
   for (fs::directory_iterator at(m_out / "pictures", error), end; !error && at != end;
        at.increment(error)) {
-    std::error_code ignored;
-    if (at->path().extension() == ".png") fs::remove(at->path(), ignored);
+    if (at->path().extension() == ".png") fs::remove(at->path(), core::ignored_error());
   }
 }
 
