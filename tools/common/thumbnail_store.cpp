@@ -54,6 +54,17 @@ void ThumbnailStore::keep(const std::string& name, const std::string& jpeg) {
   if (!file || error) fs::remove(part, error);
 }
 
+std::string ThumbnailStore::kept(const fs::path& picture, const std::string& recipe,
+                                 const std::function<std::string()>& make) {
+  const auto name = name_of(picture, recipe);
+  if (name) {
+    if (auto jpeg = find(*name)) return *jpeg;
+  }
+  const std::string jpeg = make();
+  if (name && !jpeg.empty()) keep(*name, jpeg);
+  return jpeg;
+}
+
 void ThumbnailStore::delete_others() const {
   std::error_code error;
   for (fs::directory_iterator at(m_folder, error), end; !error && at != end; at.increment(error)) {

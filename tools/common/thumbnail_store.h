@@ -4,6 +4,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <optional>
 #include <set>
 #include <string>
@@ -21,6 +22,9 @@ class ThumbnailStore {
 
   std::optional<std::string> find(const std::string& name);
   void keep(const std::string& name, const std::string& jpeg);
+  /// The one that is kept, or else what `make` makes of the picture, which is kept unless it is empty.
+  std::string kept(const std::filesystem::path& picture, const std::string& recipe,
+                   const std::function<std::string()>& make);
   void delete_others() const;
 
  private:
