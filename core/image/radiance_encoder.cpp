@@ -73,9 +73,6 @@ class RadianceEncoder final : public PictureEncoder {
 
 }  // namespace
 
-std::unique_ptr<PictureEncoder> make_radiance_encoder(const std::filesystem::path& path,
-                                                      const PictureSpec& spec) {
-  return std::make_unique<RadianceEncoder>(path, spec);
-}
+MakeEncoder* const make_radiance_encoder = encoder_of<RadianceEncoder>;
 
 }  // namespace lentray::core
