@@ -2,7 +2,6 @@
 
 #include <array>
 #include <stdexcept>
-#include <string>
 
 #include "core/base/owned.h"
 #include "core/image/format_readers.h"

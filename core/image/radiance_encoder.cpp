@@ -1,6 +1,5 @@
 // Radiance's pictures, each component of a row in runs of its own where the format has them.
 // Source: Radiance's reference, "Picture file format" and its adaptive run-length encoding; measured on stock.
-#include <algorithm>
 #include <cstdint>
 #include <string>
 #include <vector>

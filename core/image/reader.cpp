@@ -1,7 +1,6 @@
 #include "core/image/reader.h"
 
 #include <array>
-#include <cctype>
 #include <cerrno>
 #include <cstring>
 #include <string_view>

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cstdio>
-#include <stdexcept>
 
 #include "core/base/ignored_error.h"
 #include "core/base/joined.h"

@@ -1,7 +1,6 @@
 #include "tools/lentray-batch/page_pictures.h"
 
 #include <algorithm>
-#include <cmath>
 #include <exception>
 #include <optional>
 

@@ -5,7 +5,6 @@
 
 #include <fstream>
 #include <set>
-#include <sstream>
 
 #include "core/base/ignored_error.h"
 #include "parser/options/ini.h"

@@ -1,6 +1,5 @@
 // lentray-chart: speed against accuracy of a scene's settings.
 #include <algorithm>
-#include <exception>
 #include <iostream>
 #include <map>
 #include <nlohmann/json.hpp>

@@ -1,6 +1,5 @@
 #include "tools/lentray-chart/page_pictures.h"
 
-#include <algorithm>
 #include <exception>
 #include <map>
 

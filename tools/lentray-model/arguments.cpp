@@ -1,8 +1,6 @@
 #include "tools/lentray-model/arguments.h"
 
-#include <algorithm>
 #include <array>
-#include <cctype>
 #include <cmath>
 #include <sstream>
 

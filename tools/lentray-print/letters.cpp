@@ -1,7 +1,6 @@
 #include "tools/lentray-print/letters.h"
 
 #include <algorithm>
-#include <string>
 
 namespace lentray::print {
 namespace {

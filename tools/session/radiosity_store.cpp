@@ -1,13 +1,11 @@
 #include "tools/session/radiosity_store.h"
 
-#include <algorithm>
 #include <filesystem>
 
 #include "core/base/ignored_error.h"
 #include "core/image/writer.h"
 #include "parser/options/ini.h"
 #include "tools/common/process.h"
-#include "tools/session/summed_bytes.h"
 
 namespace lentray::tool {
 namespace {
