@@ -32,7 +32,7 @@ void PngRows::open() {
 }
 
 void PngRows::read_to(std::uint32_t number) {
-  if (!m_file) open();
+  if (!m_input) open();
   for (; m_at < number; ++m_at) png_read_row(m_input->png, m_row.data(), nullptr);
 }
 
