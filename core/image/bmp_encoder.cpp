@@ -69,9 +69,6 @@ class BmpEncoder final : public PictureEncoder {
 
 }  // namespace
 
-std::unique_ptr<PictureEncoder> make_bmp_encoder(const std::filesystem::path& path,
-                                                 const PictureSpec& spec) {
-  return std::make_unique<BmpEncoder>(path, spec);
-}
+MakeEncoder* const make_bmp_encoder = encoder_of<BmpEncoder>;
 
 }  // namespace lentray::core

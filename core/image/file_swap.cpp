@@ -17,6 +17,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/base/ignored_error.h"
 #include "core/image/run_files.h"
 #include "core/image/writer.h"
 
@@ -41,8 +42,7 @@ fs::path resolved(const fs::path& place) {
 }
 
 bool is_device(const fs::path& place) {
-  std::error_code error;
-  const fs::file_status status = fs::status(place, error);
+  const fs::file_status status = fs::status(place, ignored_error());
   return fs::is_character_file(status) || fs::is_fifo(status) || fs::is_block_file(status);
 }
 
@@ -92,14 +92,14 @@ std::string shown_place(const fs::path& place) {
 void check_writable(const fs::path& wanted) {
   if (wanted.empty() || !wanted.has_filename()) fail(wanted, "no file name given");
   const fs::path place = resolved(wanted);
-  std::error_code error;
-  if (fs::is_directory(place, error)) fail(wanted, "a folder has that name");
+  if (fs::is_directory(place, ignored_error())) fail(wanted, "a folder has that name");
   const fs::path folder = folder_of(place);
-  if (!fs::exists(folder, error))
+  if (!fs::exists(folder, ignored_error()))
     fail(wanted, "the folder '" + folder.string() + "' does not exist");
-  if (!fs::is_directory(folder, error)) fail(wanted, "'" + folder.string() + "' is not a folder");
+  if (!fs::is_directory(folder, ignored_error()))
+    fail(wanted, "'" + folder.string() + "' is not a folder");
   check_not_input(place);
-  if (fs::exists(place, error)) {
+  if (fs::exists(place, ignored_error())) {
     if (::access(place.c_str(), W_OK) != 0) fail(wanted, std::strerror(errno));
     if (is_device(place)) return;
   }
@@ -141,10 +141,9 @@ FileSwap::FileSwap(const fs::path& place) : m_place(place) {
 }
 
 FileSwap::~FileSwap() {
-  std::error_code ignored;
   const std::lock_guard lock(temporaries().mutex);
   temporaries().files.erase(m_temporary);
-  if (!m_committed) fs::remove(m_temporary, ignored);
+  if (!m_committed) fs::remove(m_temporary, ignored_error());
   ::close(m_lock);
   if (m_to >= 0) ::close(m_to);
 }

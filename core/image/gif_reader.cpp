@@ -1,19 +1,16 @@
 #include <gif_lib.h>
 
 #include <array>
-#include <memory>
 #include <stdexcept>
-#include <string>
 
+#include "core/base/owned.h"
 #include "core/image/format_readers.h"
 
 namespace lentray::core {
 namespace {
 
-struct CloseGif {
-  void operator()(GifFileType* gif) const { DGifCloseFile(gif, nullptr); }
-};
-using Gif = std::unique_ptr<GifFileType, CloseGif>;
+void close_read_gif(GifFileType* gif) { DGifCloseFile(gif, nullptr); }
+using Gif = Owned<GifFileType, close_read_gif>;
 
 int read_bytes(GifFileType* gif, GifByteType* to, int size) {
   return static_cast<int>(

@@ -5,7 +5,6 @@
 #include <array>
 #include <cstddef>
 #include <stdexcept>
-#include <string>
 #include <utility>
 #include <vector>
 

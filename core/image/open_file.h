@@ -2,13 +2,10 @@
 #pragma once
 
 #include <cstdio>
-#include <memory>
+#include "core/base/owned.h"
 
 namespace lentray::core {
 
-struct CloseFile {
-  void operator()(std::FILE* file) const { std::fclose(file); }
-};
-using OpenFile = std::unique_ptr<std::FILE, CloseFile>;
+using OpenFile = Owned<std::FILE, std::fclose>;
 
 }  // namespace lentray::core

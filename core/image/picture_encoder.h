@@ -39,8 +39,14 @@ class PictureEncoder {
 
 using MakeEncoder = std::unique_ptr<PictureEncoder>(const std::filesystem::path& path,
                                                     const PictureSpec& spec);
-MakeEncoder make_png_encoder, make_targa_encoder, make_ppm_encoder, make_bmp_encoder;
+template <class Encoder>
+std::unique_ptr<PictureEncoder> encoder_of(const std::filesystem::path& path,
+                                           const PictureSpec& spec) {
+  return std::make_unique<Encoder>(path, spec);
+}
+extern MakeEncoder *const make_png_encoder, *const make_targa_encoder, *const make_ppm_encoder,
+                                                                           *const make_bmp_encoder;
 /// Samples are Radiance's four bytes a pixel.
-MakeEncoder make_radiance_encoder;
+extern MakeEncoder* const make_radiance_encoder;
 
 }  // namespace lentray::core

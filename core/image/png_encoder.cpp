@@ -24,8 +24,6 @@ class PngEncoder final : public PictureEncoder {
     start(spec);
   }
   ~PngEncoder() override { png_destroy_write_struct(&m_png, &m_info); }
-  PngEncoder(const PngEncoder&) = delete;
-  PngEncoder& operator=(const PngEncoder&) = delete;
 
   void put(const void* samples, std::uint32_t rows) override {
     const auto* from = static_cast<png_const_bytep>(samples);
@@ -112,9 +110,6 @@ class PngEncoder final : public PictureEncoder {
 
 }  // namespace
 
-std::unique_ptr<PictureEncoder> make_png_encoder(const std::filesystem::path& path,
-                                                 const PictureSpec& spec) {
-  return std::make_unique<PngEncoder>(path, spec);
-}
+MakeEncoder* const make_png_encoder = encoder_of<PngEncoder>;
 
 }  // namespace lentray::core

@@ -16,4 +16,22 @@ namespace lentray::core {
 }
 inline void png_warns(png_structp, png_const_charp) {}
 
+/// What libpng reads a file with.
+struct PngInput {
+  explicit PngInput(std::FILE* file) {
+    if (!info) {
+      png_destroy_read_struct(&png, nullptr, nullptr);
+      throw std::runtime_error("out of memory");
+    }
+    png_set_user_limits(png, PNG_UINT_31_MAX, PNG_UINT_31_MAX);  // its own are a million
+    png_init_io(png, file);
+  }
+  ~PngInput() { png_destroy_read_struct(&png, &info, nullptr); }
+  PngInput(const PngInput&) = delete;
+  PngInput& operator=(const PngInput&) = delete;
+
+  png_structp png = png_create_read_struct(PNG_LIBPNG_VER_STRING, nullptr, png_fails, png_warns);
+  png_infop info = png ? png_create_info_struct(png) : nullptr;
+};
+
 }  // namespace lentray::core

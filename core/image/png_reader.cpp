@@ -12,14 +12,7 @@ namespace {
 
 class PngReader {
  public:
-  explicit PngReader(std::FILE* file) {
-    if (!m_info) throw std::runtime_error("out of memory");
-    png_set_user_limits(m_png, PNG_UINT_31_MAX, PNG_UINT_31_MAX);  // its own are a million
-    png_init_io(m_png, file);
-  }
-  ~PngReader() { png_destroy_read_struct(&m_png, &m_info, nullptr); }
-  PngReader(const PngReader&) = delete;
-  PngReader& operator=(const PngReader&) = delete;
+  explicit PngReader(std::FILE* file) : m_input(file) {}
 
   /// Apart from the constructor, for what throws there is not taken apart again.
   StoredImage image() {
@@ -110,8 +103,9 @@ class PngReader {
     fill_from_palette(image, palette);
   }
 
-  png_structp m_png = png_create_read_struct(PNG_LIBPNG_VER_STRING, nullptr, png_fails, png_warns);
-  png_infop m_info = m_png ? png_create_info_struct(m_png) : nullptr;
+  const PngInput m_input;
+  const png_structp m_png = m_input.png;
+  const png_infop m_info = m_input.info;
 };
 
 }  // namespace

@@ -47,9 +47,6 @@ class PpmEncoder final : public PictureEncoder {
 
 }  // namespace
 
-std::unique_ptr<PictureEncoder> make_ppm_encoder(const std::filesystem::path& path,
-                                                 const PictureSpec& spec) {
-  return std::make_unique<PpmEncoder>(path, spec);
-}
+MakeEncoder* const make_ppm_encoder = encoder_of<PpmEncoder>;
 
 }  // namespace lentray::core

@@ -1,6 +1,5 @@
 // Radiance's pictures, each component of a row in runs of its own where the format has them.
 // Source: Radiance's reference, "Picture file format" and its adaptive run-length encoding; measured on stock.
-#include <algorithm>
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -73,9 +72,6 @@ class RadianceEncoder final : public PictureEncoder {
 
 }  // namespace
 
-std::unique_ptr<PictureEncoder> make_radiance_encoder(const std::filesystem::path& path,
-                                                      const PictureSpec& spec) {
-  return std::make_unique<RadianceEncoder>(path, spec);
-}
+MakeEncoder* const make_radiance_encoder = encoder_of<RadianceEncoder>;
 
 }  // namespace lentray::core

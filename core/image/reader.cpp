@@ -1,11 +1,11 @@
 #include "core/image/reader.h"
 
 #include <array>
-#include <cctype>
 #include <cerrno>
 #include <cstring>
 #include <string_view>
 
+#include "core/base/ignored_error.h"
 #include "core/base/lower_case.h"
 #include "core/base/memory_limit.h"
 #include "core/image/exr_head.h"
@@ -21,8 +21,7 @@ namespace lentray::core {
 namespace {
 
 std::string all_of(std::FILE* file, const std::filesystem::path& path) {
-  std::error_code error;
-  check_room(static_cast<double>(std::filesystem::file_size(path, error)));
+  check_room(static_cast<double>(std::filesystem::file_size(path, ignored_error())));
   std::string bytes;
   std::array<char, 1 << 16> part{};
   while (const std::size_t size = std::fread(part.data(), 1, part.size(), file))
@@ -113,8 +112,7 @@ StoredImage read_image(const NamedFile& file) {
   const auto fail = [&](const std::string& why) {
     throw ImageError("cannot read '" + named.name.string() + "': " + why);
   };
-  std::error_code error;
-  if (!std::filesystem::is_regular_file(named.path, error)) fail("there is no such file");
+  if (!std::filesystem::is_regular_file(named.path, ignored_error())) fail("there is no such file");
   const OpenFile opened(std::fopen(named.path.c_str(), "rbe"));
   if (!opened) fail(std::strerror(errno));
   // A handle's file is known already to whoever holds it.

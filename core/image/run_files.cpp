@@ -6,6 +6,7 @@
 #include <set>
 #include <utility>
 
+#include "core/base/ignored_error.h"
 #include "core/image/file_swap.h"
 #include "core/image/writer.h"
 
@@ -38,8 +39,7 @@ std::optional<FileNumber> plain_file(const fs::path& path) {
 
 /// What there is under the name is a plain file, or will be.
 bool may_be_plain(const fs::path& path) {
-  std::error_code error;
-  const fs::file_status status = fs::status(path, error);
+  const fs::file_status status = fs::status(path, ignored_error());
   return !fs::exists(status) || fs::is_regular_file(status);
 }
 
@@ -62,8 +62,7 @@ void note_input(const struct stat& status, const fs::path& path) {
   RunFiles& files = run_files();
   const std::lock_guard lock(files.mutex);
   if (files.made.contains(number_of(status))) return;
-  std::error_code error;
-  files.inputs.insert_or_assign(number_of(status), fs::absolute(path, error));
+  files.inputs.insert_or_assign(number_of(status), fs::absolute(path, ignored_error()));
 }
 
 void note_input(const fs::path& path) {
@@ -85,8 +84,8 @@ bool is_input(const fs::path& place) { return !input_at(place).empty(); }
 void check_not_input(const fs::path& place) {
   const fs::path input = input_at(place);
   if (input.empty()) return;
-  std::error_code error;
-  const bool other_name = fs::absolute(place, error).lexically_normal() != input.lexically_normal();
+  const bool other_name =
+      fs::absolute(place, ignored_error()).lexically_normal() != input.lexically_normal();
   throw ImageError("cannot write " + shown_place(place) + ": this run reads that file" +
                    (other_name ? ", as '" + input.string() + "'" : "") +
                    "; give the output another name");

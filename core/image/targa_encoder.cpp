@@ -115,9 +115,6 @@ class TargaEncoder final : public PictureEncoder {
 
 }  // namespace
 
-std::unique_ptr<PictureEncoder> make_targa_encoder(const std::filesystem::path& path,
-                                                   const PictureSpec& spec) {
-  return std::make_unique<TargaEncoder>(path, spec);
-}
+MakeEncoder* const make_targa_encoder = encoder_of<TargaEncoder>;
 
 }  // namespace lentray::core

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <stdexcept>
@@ -22,10 +23,7 @@ struct Head {
 };
 
 bool is_one_of(std::size_t value, std::initializer_list<std::size_t> values) {
-  for (const std::size_t one : values) {
-    if (value == one) return true;
-  }
-  return false;
+  return std::ranges::find(values, value) != values.end();
 }
 
 Head read_head(const Bytes& file) {

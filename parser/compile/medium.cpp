@@ -1,6 +1,5 @@
 #include "parser/compile/medium.h"
 
-#include <algorithm>
 #include <vector>
 
 #include "core/pattern/single.h"

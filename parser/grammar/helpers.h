@@ -8,6 +8,7 @@
 #include <string_view>
 #include <type_traits>
 
+#include "core/base/joined.h"
 #include "parser/interpreter/parser.h"
 #include "parser/tokens/keywords.h"
 
@@ -90,12 +91,7 @@ inline std::array<double, 4> parse_vector4(Parser& parser) {
 /// "a, b, c" of the words of a table whose entries have a `keyword`.
 template <typename Table>
 std::string word_list(const Table& table) {
-  std::string list;
-  for (const auto& entry : table) {
-    if (!list.empty()) list += ", ";
-    list += spelling(entry.keyword);
-  }
-  return list;
+  return core::joined(table, ", ", [](const auto& entry) { return spelling(entry.keyword); });
 }
 
 /// Which entry of a table each keyword has, from 1; 0: none.

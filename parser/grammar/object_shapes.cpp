@@ -1,7 +1,6 @@
 #include "parser/grammar/object_shapes.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include "core/base/tiny.h"
 #include "parser/grammar/helpers.h"

@@ -1,6 +1,5 @@
 #include "parser/grammar/pattern.h"
 
-#include <algorithm>
 #include <filesystem>
 #include <string>
 

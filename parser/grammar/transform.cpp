@@ -3,7 +3,6 @@
 #include <memory>
 #include <optional>
 #include <utility>
-#include <variant>
 
 #include "parser/descriptions/interior.h"
 #include "parser/descriptions/texture.h"

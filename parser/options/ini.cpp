@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cctype>
 
+#include "core/base/joined.h"
 #include "core/base/trimmed.h"
 #include "parser/files/files.h"
 
@@ -51,7 +52,7 @@ std::optional<std::string> label_of(std::string_view line) {
   return std::string(trimmed(line.substr(1, end - 1)));
 }
 
-bool is_switch(std::string_view text) { return text.front() == '+' || text.front() == '-'; }
+bool begins_switch(std::string_view text) { return text.front() == '+' || text.front() == '-'; }
 
 IniLine option_of(std::string_view text, std::size_t equals, int number) {
   return {IniLine::Kind::kOption, number, std::string(trimmed(text.substr(0, equals))),
@@ -64,7 +65,7 @@ void append_switches(std::string_view line, int number, std::vector<IniLine>& ou
     const std::string_view rest = line;
     const std::string_view word = take_word(line);
     const std::size_t equals = word.find('=');
-    if (!is_switch(word) && equals != std::string_view::npos) {
+    if (!begins_switch(word) && equals != std::string_view::npos) {
       out.push_back(option_of(rest, equals, number));
       return;
     }
@@ -73,7 +74,7 @@ void append_switches(std::string_view line, int number, std::vector<IniLine>& ou
 }
 
 void append_line(std::string_view line, int number, std::vector<IniLine>& out) {
-  if (is_switch(line)) {
+  if (begins_switch(line)) {
     append_switches(line, number, out);
     return;
   }
@@ -101,6 +102,12 @@ void for_lines(std::string_view text, Visit visit) {
 }
 
 }  // namespace
+
+bool is_switch(std::string_view word) { return word.size() > 1 && begins_switch(word); }
+
+bool is_ini(std::string_view word) {
+  return same_word(std::filesystem::path(ini_name(word).file).extension().string(), ".ini");
+}
 
 bool same_word(std::string_view a, std::string_view b) {
   return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](unsigned char x, unsigned char y) {
@@ -170,10 +177,7 @@ IniSection read_ini(const std::string& path, const IniName& name,
   const std::string text = ini_file_text(path);
   IniSection out = ini_lines(text, path, name);
   if (out.is_there) return out;
-  std::string known;
-  for (const std::string& label : ini_labels(text)) {
-    known += (known.empty() ? "" : ", ") + label;
-  }
+  const std::string known = core::joined(ini_labels(text));
   warnings.push_back("'" + path + "' has no section [" + name.label + "]" +
                      (known.empty() ? "" : ": there are " + known));
   return out;

@@ -35,6 +35,10 @@ struct IniName {
 };
 IniName ini_name(std::string_view text);
 
+/// Of words of a command line: "+A", or "-D"; "file.ini", or "file.ini[label]".
+bool is_switch(std::string_view word);
+bool is_ini(std::string_view word);
+
 struct IniSection {
   std::vector<IniLine> lines;  ///< of the part before all sections, and of the section
   bool is_there = false;       ///< the section that was asked for; true if none was

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <string_view>
 
+#include "core/base/joined.h"
 #include "core/base/trimmed.h"
 
 namespace lentray::parser {
@@ -22,12 +23,6 @@ const LengthUnit* unit_named(std::string_view name) {
   return row == std::end(kUnits) ? nullptr : row;
 }
 
-std::string units() {
-  std::string out;
-  for (const LengthUnit& unit : kUnits) out += (out.empty() ? "" : ", ") + std::string(unit.name);
-  return out;
-}
-
 std::string_view without_blanks(std::string_view text) { return core::trimmed(text, " \t"); }
 
 [[noreturn]] void refuse_unit(const GivenOption& given, std::string_view unit) {
@@ -35,7 +30,7 @@ std::string_view without_blanks(std::string_view text) { return core::trimmed(te
   refuse(given, "unknown unit '" + std::string(unit) +
                     "': a length is a number of mm, or has one of "
                     "the units " +
-                    units());
+                    core::joined(kUnits, ", ", &LengthUnit::name));
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 #include <initializer_list>
 
 #include "camera/text.h"
+#include "core/base/joined.h"
 #include "parser/options/options_table.h"
 #include "parser/options/said_options.h"
 
@@ -24,16 +25,14 @@ void apply_line(RenderOptions& scratch, const std::string& path, const IniLine& 
   given.where = path + ":" + std::to_string(line.line) + ": ";
   given.shown = line.text + "=" + line.value;
   given.value = line.value;
-  std::string known;
   for (const std::string_view name : kDataOptions) {
     if (line.kind == IniLine::Kind::kOption && same_word(name, line.text)) {
       return std::ranges::find(option_table(), name, &OptionRow::name)
           ->access.apply(scratch, given);
     }
-    known += (known.empty() ? "" : ", ") + std::string(name);
   }
   throw OptionError(given.where + "'" + line.text + "' says nothing of a lens sheet: there are " +
-                    known);
+                    core::joined(kDataOptions));
 }
 
 void append_file(const std::string& path, std::vector<LensProfile>& out) {

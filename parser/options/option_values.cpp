@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "core/base/formed.h"
+#include "core/base/joined.h"
 
 namespace lentray::parser {
 namespace {
@@ -126,12 +127,10 @@ double positive(const GivenOption& given) {
 
 std::string_view choice(const GivenOption& given, const char* what,
                         std::span<const std::string_view> there) {
-  std::string known;
   for (const std::string_view name : there) {
     if (same_word(name, given.value)) return name;
-    known += (known.empty() ? "" : ", ") + std::string(name);
   }
-  refuse(given, std::string("unknown ") + what + ": there are " + known);
+  refuse(given, std::string("unknown ") + what + ": there are " + core::joined(there));
 }
 
 namespace {

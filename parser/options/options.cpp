@@ -6,6 +6,7 @@
 #include <cstdlib>
 #include <filesystem>
 
+#include "core/base/ignored_error.h"
 #include "core/base/memory_limit.h"
 #include "parser/base/shown.h"
 #include "parser/options/lens_sheets.h"
@@ -26,10 +27,7 @@ bool ends_with(std::string_view text, std::string_view end) {
   return text.size() >= end.size() && same_word(text.substr(text.size() - end.size()), end);
 }
 
-bool is_file(const fs::path& path) {
-  std::error_code error;
-  return fs::is_regular_file(path, error);
-}
+bool is_file(const fs::path& path) { return fs::is_regular_file(path, core::ignored_error()); }
 
 /// The option's name that is nearest, if it is near at all.
 std::string_view near_option(std::string_view name) {
@@ -346,8 +344,7 @@ RenderOptions read_with(const std::string& default_ini, std::span<const std::str
         options.render_console = options.fatal_console = *options.all_console;
   }
   for (const std::string& folder : sources.standard_libraries) {
-    std::error_code error;
-    if (!fs::is_directory(folder, error)) continue;
+    if (!fs::is_directory(folder, core::ignored_error())) continue;
     auto& known = options.library_paths;
     if (std::ranges::find(known, folder) == known.end()) known.push_back(folder);
   }
@@ -394,10 +391,10 @@ std::string output_path(const RenderOptions& options, core::FileType& type) {
   type = options.type;
   const std::string& out = options.output;
   if (out == "-") return "-";
-  std::error_code error;
   // A device takes the bytes as they come.
-  if (!out.empty() && fs::exists(out, error) && !fs::is_regular_file(out, error) &&
-      !fs::is_directory(out, error)) {
+  if (!out.empty() && fs::exists(out, core::ignored_error()) &&
+      !fs::is_regular_file(out, core::ignored_error()) &&
+      !fs::is_directory(out, core::ignored_error())) {
     return out;
   }
   std::string_view end;

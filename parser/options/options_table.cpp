@@ -1,7 +1,6 @@
 #include "parser/options/options_table.h"
 
 #include <algorithm>
-#include <array>
 #include <cctype>
 #include <charconv>
 #include <cmath>

@@ -6,6 +6,7 @@
 #include <string>
 #include <string_view>
 
+#include "core/base/joined.h"
 #include "parser/options/ini.h"
 
 namespace lentray::parser {
@@ -92,16 +93,15 @@ PixelSize size_of(const GivenOption& given) {
 
 QuiltGrid quilt_of(const GivenOption& given) {
   constexpr std::uint32_t kMostSide = 1000;
-  std::string names;
   for (const QuiltDisplay& display : kDisplays) {
     if (same_word(display.name, given.value)) {
       return {display.columns, display.rows, display.size, display.aspect};
     }
-    names += (names.empty() ? "" : ", ") + std::string(display.name);
   }
   const auto grid = pair_of(given.value);
   if (!grid || grid->width > kMostSide || grid->height > kMostSide) {
-    refuse(given, "columns x rows of views are expected, such as 8x6, or a display: " + names);
+    refuse(given, "columns x rows of views are expected, such as 8x6, or a display: " +
+                      core::joined(kDisplays, ", ", &QuiltDisplay::name));
   }
   return {grid->width, grid->height};
 }

@@ -6,6 +6,7 @@
 #include <numeric>
 #include <utility>
 
+#include "core/base/joined.h"
 #include "parser/base/shown.h"
 
 namespace lentray::parser {
@@ -124,8 +125,7 @@ void Diagnostics::not_yet(const std::string& feature, const Location& where) {
 
 void Diagnostics::report_not_yet() {
   if (m_not_yet.empty()) return;
-  std::string list;
-  for (const std::string& feature : m_not_yet) list += (list.empty() ? "" : ", ") + feature;
+  const std::string list = core::joined(m_not_yet);
   m_not_yet.clear();
   warn(m_first_not_yet, "not rendered yet, left out of the picture: " + list);
 }

@@ -1,6 +1,5 @@
 #include "parser/values/float_functions.h"
 
-#include <cmath>
 #include <initializer_list>
 
 #include "parser/values/arithmetic.h"

@@ -5,6 +5,9 @@
 #include <algorithm>
 #include <cctype>
 #include <cstring>
+#include <type_traits>
+
+#include "core/base/owned.h"
 
 namespace lentray::tool {
 namespace {
@@ -46,28 +49,14 @@ std::string letters_of(const std::string& text) {
   return out;
 }
 
-class Locale {
- public:
-  Locale() : m_locale(newlocale(LC_COLLATE_MASK, "", nullptr)) {}
-  ~Locale() {
-    if (m_locale) freelocale(m_locale);
-  }
-  Locale(const Locale&) = delete;
-  Locale& operator=(const Locale&) = delete;
-  bool is_before(const std::string& a, const std::string& b) const {
-    return m_locale ? strcoll_l(a.c_str(), b.c_str(), m_locale) < 0 : a < b;
-  }
-
- private:
-  locale_t m_locale;
-};
-
 /// In one of the orders of shells: by bytes, or as the user's language has it.
 bool is_as_shells_have_it(const std::vector<std::string>& names) {
-  const Locale locale;
-  return std::ranges::is_sorted(names) ||
-         std::ranges::is_sorted(
-             names, [&](const auto& a, const auto& b) { return locale.is_before(a, b); }) ||
+  const core::Owned<std::remove_pointer_t<locale_t>, freelocale> locale(
+      newlocale(LC_COLLATE_MASK, "", nullptr));
+  const auto is_before = [&](const std::string& a, const std::string& b) {
+    return locale ? strcoll_l(a.c_str(), b.c_str(), locale.get()) < 0 : a < b;
+  };
+  return std::ranges::is_sorted(names) || std::ranges::is_sorted(names, is_before) ||
          std::ranges::is_sorted(names, {}, letters_of);
 }
 

@@ -13,9 +13,9 @@
 #include <fstream>
 #include <sstream>
 #include <stdexcept>
-#include <system_error>
 #include <utility>
 
+#include "core/base/ignored_error.h"
 #include "core/image/file_swap.h"
 #include "core/image/writer.h"
 
@@ -113,10 +113,7 @@ TemporaryFolder::TemporaryFolder() {
   m_path = pattern;
 }
 
-TemporaryFolder::~TemporaryFolder() {
-  std::error_code ignored;
-  fs::remove_all(m_path, ignored);
-}
+TemporaryFolder::~TemporaryFolder() { fs::remove_all(m_path, core::ignored_error()); }
 
 std::string file_bytes(const fs::path& path) {
   const std::ifstream file(path, std::ios::binary);

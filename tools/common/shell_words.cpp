@@ -2,6 +2,8 @@
 
 #include <string_view>
 
+#include "core/base/joined.h"
+
 namespace lentray::tool {
 
 std::string shell_word(const std::string& word) {
@@ -14,9 +16,7 @@ std::string shell_word(const std::string& word) {
 }
 
 std::string shell_command(const std::vector<std::string>& words) {
-  std::string out;
-  for (const std::string& word : words) out += (out.empty() ? "" : " ") + shell_word(word);
-  return out;
+  return core::joined(words, " ", shell_word);
 }
 
 }  // namespace lentray::tool

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <fstream>
+#include <optional>
 #include <string_view>
 #include <system_error>
 
@@ -19,10 +20,8 @@ std::uint64_t sum_of(std::string_view text, std::uint64_t sum) {
   return sum;
 }
 
-}  // namespace
-
-std::optional<std::string> ThumbnailStore::name_of(const fs::path& picture,
-                                                   const std::string& recipe) {
+/// The name of what `recipe` makes of the picture; nothing where there is no such file.
+std::optional<std::string> thumbnail_name(const fs::path& picture, const std::string& recipe) {
   std::error_code error;
   if (!fs::is_regular_file(picture, error)) return std::nullopt;
   const std::uintmax_t size = fs::file_size(picture, error);
@@ -36,22 +35,29 @@ std::optional<std::string> ThumbnailStore::name_of(const fs::path& picture,
                       static_cast<unsigned long long>(sum_of(text, 0x6c62272e07bb0142u)));
 }
 
-std::optional<std::string> ThumbnailStore::find(const std::string& name) {
-  m_asked_for.insert(name);
-  std::string jpeg = file_bytes(m_folder / name);
-  const bool is_whole = jpeg.starts_with("\xff\xd8") && jpeg.ends_with("\xff\xd9");
-  return is_whole ? std::optional(std::move(jpeg)) : std::nullopt;
-}
-
-void ThumbnailStore::keep(const std::string& name, const std::string& jpeg) {
+void keep_jpeg(const fs::path& whole, const std::string& jpeg) {
   std::error_code error;
-  fs::create_directories(m_folder, error);
-  const fs::path whole = m_folder / name, part = m_folder / (name + ".part");
+  fs::create_directories(whole.parent_path(), error);
+  const fs::path part = whole.string() + ".part";
   std::ofstream file(part, std::ios::binary);
   file.write(jpeg.data(), static_cast<std::streamsize>(jpeg.size()));
   file.close();
   if (file) fs::rename(part, whole, error);
   if (!file || error) fs::remove(part, error);
+}
+
+}  // namespace
+
+std::string ThumbnailStore::kept(const fs::path& picture, const std::string& recipe,
+                                 const std::function<std::string()>& make) {
+  const auto name = thumbnail_name(picture, recipe);
+  if (!name) return make();
+  m_asked_for.insert(*name);
+  std::string jpeg = file_bytes(m_folder / *name);
+  if (jpeg.starts_with("\xff\xd8") && jpeg.ends_with("\xff\xd9")) return jpeg;
+  jpeg = make();
+  if (!jpeg.empty()) keep_jpeg(m_folder / *name, jpeg);
+  return jpeg;
 }
 
 void ThumbnailStore::delete_others() const {

@@ -4,7 +4,7 @@
 #pragma once
 
 #include <filesystem>
-#include <optional>
+#include <functional>
 #include <set>
 #include <string>
 
@@ -15,12 +15,9 @@ class ThumbnailStore {
   /// The folder is made when there is something to keep.
   explicit ThumbnailStore(std::filesystem::path folder) : m_folder(std::move(folder)) {}
 
-  /// The name of what `recipe` makes of the picture; nothing where there is no such file.
-  static std::optional<std::string> name_of(const std::filesystem::path& picture,
-                                            const std::string& recipe);
-
-  std::optional<std::string> find(const std::string& name);
-  void keep(const std::string& name, const std::string& jpeg);
+  /// The one that is kept, or else what `make` makes of the picture, which is kept unless it is empty.
+  std::string kept(const std::filesystem::path& picture, const std::string& recipe,
+                   const std::function<std::string()>& make);
   void delete_others() const;
 
  private:

@@ -7,6 +7,7 @@
 #include <functional>
 #include <map>
 
+#include "core/base/lower_case.h"
 #include "parser/options/ini.h"
 #include "parser/options/options.h"
 
@@ -58,10 +59,6 @@ int count_of(const std::string& option, const std::string& text) {
     throw OptionError(option + ": '" + text + "': a whole number is expected");
   }
   return static_cast<int>(value);
-}
-
-bool is_ini(const std::string& word) {
-  return same_word(fs::path(parser::ini_name(word).file).extension().string(), ".ini");
 }
 
 /// What the batch itself decides of every run.
@@ -150,12 +147,12 @@ class Parsing {
 
   void other(const std::string& word) {
     std::error_code error;
-    const bool is_switch = word.size() > 1 && (word[0] == '+' || word[0] == '-');
-    if (!is_switch && !is_ini(word) && fs::exists(word, error)) {
+    const bool is_switch = parser::is_switch(word);
+    if (!is_switch && !parser::is_ini(word) && fs::exists(word, error)) {
       m_out.inputs.emplace_back(word);
     } else if (is_switch || word.find('=') != std::string::npos) {
       m_out.for_lentray.push_back(with_whole_path(word, is_switch));
-    } else if (is_ini(word)) {
+    } else if (parser::is_ini(word)) {
       m_out.for_lentray.push_back(fs::absolute(word).string());
     } else {
       throw OptionError("there is no folder or scene '" + word + "'");
@@ -184,24 +181,25 @@ class Parsing {
 
   void refuse_what_the_batch_decides() const {
     for (const std::string& word : m_out.for_lentray) {
-      const std::string name = word.substr(0, word.find('='));
-      for (const char* ours : kOurs) {
-        if (same_word(name, ours))
-          throw OptionError("'" + word + "': the batch decides that of every scene itself" +
-                            instead(ours));
-      }
-      if (word.size() < 2 || (word[0] != '+' && word[0] != '-')) continue;
-      const std::string two = word.substr(1, 2);
-      const char letter = static_cast<char>(std::tolower(static_cast<unsigned char>(word[1])));
-      if (letter == 'i' || letter == 'o' || same_word(two, "wt") ||
-          same_word(word.substr(1), "f") || same_word(word.substr(1), "c") ||
-          same_word(two, "gi")) {
+      if (const std::string_view ours = decided_by(word); !ours.empty())
         throw OptionError("'" + word + "': the batch decides that of every scene itself" +
-                          instead(letter == 'o'          ? "Output_File_Name"
-                                  : same_word(two, "wt") ? "Work_Threads"
-                                                         : ""));
-      }
+                          instead(ours));
     }
+  }
+
+  /// The option of the batch's own that the word says; empty: none.
+  static std::string_view decided_by(const std::string& word) {
+    const std::string name = word.substr(0, word.find('='));
+    const auto* ours =
+        std::ranges::find_if(kOurs, [&](const char* option) { return same_word(name, option); });
+    if (ours != kOurs.end()) return *ours;
+    if (!parser::is_switch(word)) return "";
+    const std::string letters = core::lower_case(word.substr(1));
+    if (letters[0] == 'o') return "Output_File_Name";
+    if (letters.starts_with("wt")) return "Work_Threads";
+    const bool is_ours =
+        letters[0] == 'i' || letters == "f" || letters == "c" || letters.starts_with("gi");
+    return is_ours ? "Input_File_Name" : "";
   }
 
   static std::string instead(std::string_view what) {

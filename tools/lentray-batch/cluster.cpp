@@ -4,8 +4,9 @@
 
 #include <algorithm>
 #include <cstdio>
-#include <stdexcept>
 
+#include "core/base/ignored_error.h"
+#include "core/base/joined.h"
 #include "tools/common/duration.h"
 #include "tools/common/messages.h"
 #include "tools/common/process.h"
@@ -75,8 +76,7 @@ bool Cluster::run(const std::vector<Job*>& jobs) {
 
 /// An array of an earlier run of the batch may still be at the same work.
 bool Cluster::go_on() {
-  std::error_code error;
-  if (!fs::exists(m_root / "current", error)) return false;
+  if (!fs::exists(m_root / "current", core::ignored_error())) return false;
   const std::string current = tool::read_text(m_root / "current");  // run and job
   const std::size_t blank = current.find(' ');
   m_folder = std::make_unique<RunFolder>(m_root / current.substr(0, blank));
@@ -193,9 +193,7 @@ std::string Cluster::rows_of_bands(const std::string& name) const {
         rows[i.band] = std::to_string(i.first_row) + "-" + std::to_string(i.last_row);
     }
   }
-  std::string out;
-  for (const auto& [band, text] : rows) out += (out.empty() ? "" : ",") + text;
-  return out;
+  return core::joined(rows, ",", [](const auto& band) { return band.second; });
 }
 
 void Cluster::merge(const std::string& name, const std::vector<Row>& bands) {
@@ -210,8 +208,7 @@ void Cluster::merge(const std::string& name, const std::vector<Row>& bands) {
     fs::create_directories((out / row.picture).parent_path());
     const tool::RunResult result = tool::run_program(command);
     if (result.status == 0) {
-      std::error_code error;
-      row.bytes = fs::file_size(out / row.picture, error);
+      row.bytes = fs::file_size(out / row.picture, core::ignored_error());
       job.publish_statistics(bands.front());
     } else {
       row.state = State::failed;
@@ -219,8 +216,7 @@ void Cluster::merge(const std::string& name, const std::vector<Row>& bands) {
     }
   }
   for (const Row& band : bands) {
-    std::error_code error;
-    fs::remove(out / band.picture, error);
+    fs::remove(out / band.picture, core::ignored_error());
   }
   take(row);
 }

@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 
 #include "core/base/formed.h"
+#include "core/base/ignored_error.h"
 #include "core/image/reader.h"
 #include "parser/files/watched_files.h"
 #include "parser/options/create_ini.h"
@@ -208,27 +209,24 @@ double Job::room(bool with_journal) const {
 }
 
 bool Job::drop_journal() const {
-  std::error_code error;
-  return fs::remove(tool::journal_path(made_picture().string()), error);
+  return fs::remove(tool::journal_path(made_picture().string()), core::ignored_error());
 }
 
 void Job::drop_picture() const {
-  std::error_code error;
-  fs::remove(made_picture(), error);
+  fs::remove(made_picture(), core::ignored_error());
   drop_journal();
 }
 
 void Job::publish_statistics(const Row& band) const {
-  std::error_code error;
-  fs::rename(m_plan.state->file(band.name, band.key, "statistics"), kept_file("statistics"), error);
+  fs::rename(m_plan.state->file(band.name, band.key, "statistics"), kept_file("statistics"),
+             core::ignored_error());
 }
 
 void Job::move_from_scratch(const std::string& picture) const {
-  std::error_code error;
-  if (m_plan.scratch.empty() || !fs::exists(root() / picture, error)) return;
+  if (m_plan.scratch.empty() || !fs::exists(root() / picture, core::ignored_error())) return;
   const fs::path place = m_plan.arguments.out / picture;
-  fs::create_directories(place.parent_path(), error);
-  fs::rename(root() / picture, place, error);
+  fs::create_directories(place.parent_path(), core::ignored_error());
+  fs::rename(root() / picture, place, core::ignored_error());
 }
 fs::path Job::picture_path() const { return m_plan.arguments.out / m_row.picture; }
 
@@ -241,15 +239,14 @@ bool Job::files_are_current() const {
   return !m_row.files.empty() && std::ranges::all_of(m_row.files, [](const auto& file) {
     return is_as_it_was(file.first, file.second);
   }) && std::ranges::none_of(m_row.missing, [](const std::string& path) {
-    std::error_code error;
-    return fs::exists(path, error);
+    return fs::exists(path, core::ignored_error());
   });
 }
 
 bool Job::fits(const Row& row) const {
   if (row.key != m_row.key || row.source != m_row.source) return false;
-  std::error_code error;
-  if (row.state == State::done && !fs::is_regular_file(m_plan.arguments.out / row.picture, error))
+  if (row.state == State::done &&
+      !fs::is_regular_file(m_plan.arguments.out / row.picture, core::ignored_error()))
     return false;
   Job then = *this;
   then.m_row = row;
@@ -484,8 +481,7 @@ void Job::read_dependencies(std::int64_t since) {
 }
 
 void Job::read_statistics() {
-  std::error_code error;
-  m_row.bytes = fs::file_size(picture_path(), error);
+  m_row.bytes = fs::file_size(picture_path(), core::ignored_error());
   const json all = read_json(run_file("statistics"));
   if (!all.is_object()) return;
   all.at("image").at("width").get_to(m_row.width);
@@ -556,8 +552,7 @@ tool::Launch Job::compare(int processes) {
   } else {
     launch.command.emplace_back("--stock-alone");
   }
-  std::error_code error;
-  fs::remove(run_file("verdict"), error);
+  fs::remove(run_file("verdict"), core::ignored_error());
   return launch;
 }
 

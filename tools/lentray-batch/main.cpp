@@ -3,7 +3,6 @@
 #include <chrono>
 #include <cstdio>
 #include <exception>
-#include <iostream>
 #include <set>
 #include <thread>
 
@@ -11,7 +10,6 @@
 #include "parser/base/shown.h"
 #include "parser/files/watched_files.h"
 #include "parser/options/options.h"
-#include "tools/common/duration.h"
 #include "tools/common/machine.h"
 #include "tools/common/messages.h"
 #include "tools/common/process.h"

@@ -1,7 +1,6 @@
 #include "tools/lentray-batch/page_pictures.h"
 
 #include <algorithm>
-#include <cmath>
 #include <exception>
 #include <optional>
 
@@ -131,14 +130,10 @@ class PictureFile {
 
   template <typename Make>
   std::string kept(const std::string& what, std::size_t most, const Make& make) {
-    const auto name = ThumbnailStore::name_of(m_path, what + ' ' + std::to_string(most));
-    if (name) {
-      if (auto jpeg = m_store.find(*name)) return base64(*jpeg);
-    }
-    if (!m_image) m_image = core::read_image(m_path);
-    const std::string jpeg = jpeg_within(make(*m_image), most);
-    if (name && !jpeg.empty()) m_store.keep(*name, jpeg);
-    return base64(jpeg);
+    return base64(m_store.kept(m_path, what + ' ' + std::to_string(most), [&] {
+      if (!m_image) m_image = core::read_image(m_path);
+      return jpeg_within(make(*m_image), most);
+    }));
   }
 
   ThumbnailStore& m_store;

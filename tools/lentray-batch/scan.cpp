@@ -5,8 +5,8 @@
 
 #include <fstream>
 #include <set>
-#include <sstream>
 
+#include "core/base/ignored_error.h"
 #include "parser/options/ini.h"
 #include "tools/common/scene_scanner.h"
 
@@ -41,16 +41,15 @@ class Scanner {
       : m_out(out), m_known(known) {}
 
   void add(const fs::path& input) {
-    std::error_code error;
     const fs::path place = fs::absolute(input).lexically_normal();
-    if (fs::is_directory(place, error)) {
+    if (fs::is_directory(place, core::ignored_error())) {
       if (is_within(place, m_out)) {
         throw parser::OptionError("--out '" + m_out.string() + "' holds the scenes of '" +
                                   input.string() +
                                   "': pictures would lie among theirs; name another folder");
       }
       add_folder(place.has_filename() ? place : place.parent_path());
-    } else if (fs::is_regular_file(place, error)) {
+    } else if (fs::is_regular_file(place, core::ignored_error())) {
       add_scene(place, place.stem().string(), "");
     } else {
       throw parser::OptionError("'" + input.string() + "' is no scene and no folder");
@@ -110,8 +109,7 @@ class Scanner {
     for (const char* extension : {".ini", ".INI"}) {
       fs::path ini = source;
       ini.replace_extension(extension);
-      std::error_code error;
-      if (scene.ini.empty() && fs::is_regular_file(ini, error)) scene.ini = ini;
+      if (scene.ini.empty() && fs::is_regular_file(ini, core::ignored_error())) scene.ini = ini;
     }
     m_scan.scenes.push_back(std::move(scene));
   }

@@ -1,7 +1,6 @@
 #include "tools/lentray-batch/scheduler.h"
 
 #include <algorithm>
-#include <csignal>
 #include <exception>
 #include <filesystem>
 

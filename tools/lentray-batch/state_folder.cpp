@@ -1,15 +1,12 @@
 #include "tools/lentray-batch/state_folder.h"
 
 #include <fcntl.h>
-#include <sys/file.h>
 #include <unistd.h>
 
 #include <algorithm>
-#include <cerrno>
-#include <cstring>
-#include <stdexcept>
 #include <system_error>
 
+#include "core/base/ignored_error.h"
 #include "tools/common/companion.h"
 
 namespace lentray::batch {
@@ -22,27 +19,10 @@ constexpr std::size_t kMostReserved = 4 << 20;  ///< bytes: some thousand rows
 constexpr std::size_t kFrame = 96 << 10;        ///< bytes of a page without pictures
 constexpr std::size_t kPicture = 60 << 10;  ///< of a row and a small picture, which is there twice
 
-[[noreturn]] void fail(const fs::path& place, int error) {
-  throw std::runtime_error("cannot write into the folder '" + place.string() +
-                           "': " + std::strerror(error));
-}
-
 }  // namespace
 
-StateFolder::StateFolder(const fs::path& out, Access access) : m_path(out / ".lentray-batch") {
-  std::error_code error;
-  fs::create_directories(m_path, error);
-  if (error) fail(out, error.value());
-  if (access == Access::shared) return;
-  m_lock = ::open((m_path / "lock").c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666);
-  if (m_lock < 0) fail(out, errno);
-  if (::flock(m_lock, LOCK_EX | LOCK_NB) != 0) {
-    throw std::runtime_error("another lentray-batch works in '" + out.string() + "'");
-  }
-}
-
 void StateFolder::reserve(std::size_t pictures) const {
-  const int file = ::open((m_path / "reserve").c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666);
+  const int file = ::open((path() / "reserve").c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666);
   if (file < 0) return;
   // Where there is no room for it there may be room for pictures all the same.
   (void)::posix_fallocate(
@@ -51,20 +31,16 @@ void StateFolder::reserve(std::size_t pictures) const {
 }
 
 void StateFolder::forget_radiosity() const {
-  std::error_code error;
-  fs::remove_all(radiosity_folder(), error);
+  fs::remove_all(radiosity_folder(), core::ignored_error());
 }
 
 StateFolder::~StateFolder() {
-  if (m_lock < 0) return;
-  std::error_code error;
-  fs::remove(m_path / "reserve", error);
-  ::close(m_lock);
+  if (is_alone()) free_reserve();
 }
 
 /// Of the files of a picture's runs. Names of scenes may be as long as names can be.
 fs::path StateFolder::begin_of(const std::string& name) const {
-  const std::string whole = (m_path / "runs" / name).string();
+  const std::string whole = (path() / "runs" / name).string();
   const std::string longest_end(48, '.');  // key and kind
   const std::string with_end = tool::companion_path(whole, longest_end);
   return with_end.substr(0, with_end.size() - longest_end.size());
@@ -73,9 +49,7 @@ fs::path StateFolder::begin_of(const std::string& name) const {
 fs::path StateFolder::file(const std::string& name, const std::string& key,
                            const std::string& kind) const {
   const fs::path place = begin_of(name).string() + "." + key + "." + kind;
-  std::error_code error;
-  fs::create_directories(place.parent_path(), error);
-  if (error) fail(place.parent_path(), error.value());
+  tool::make_folder(place.parent_path(), place.parent_path());
   return place;
 }
 
@@ -91,14 +65,12 @@ void StateFolder::forget_others(const std::string& name, const std::string& key)
     if (!file.starts_with(begin) || file.starts_with(ours) || end_of_key == std::string::npos ||
         file[end_of_key] != '.' || end_of_key < begin.size() + 16)
       continue;
-    std::error_code ignored;
-    fs::remove(at->path(), ignored);
+    fs::remove(at->path(), core::ignored_error());
   }
 }
 
 bool StateFolder::free_reserve() const {
-  std::error_code error;
-  return fs::remove(m_path / "reserve", error);
+  return fs::remove(path() / "reserve", core::ignored_error());
 }
 
 }  // namespace lentray::batch

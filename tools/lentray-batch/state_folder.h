@@ -5,24 +5,24 @@
 #include <filesystem>
 #include <string>
 
+#include "tools/common/own_folder.h"
+
 namespace lentray::batch {
 
-class StateFolder {
+class StateFolder : public tool::OwnFolder {
  public:
   /// alone: the batch itself, one at a time; shared: a worker of the batch.
   enum class Access { alone, shared };
   /// Makes `out` and what belongs to it. Throws where that cannot be done, and while another batch works there.
-  explicit StateFolder(const std::filesystem::path& out, Access access = Access::alone);
+  explicit StateFolder(const std::filesystem::path& out, Access access = Access::alone)
+      : OwnFolder(out, "lentray-batch", access == Access::alone) {}
   ~StateFolder();
-  StateFolder(const StateFolder&) = delete;
-  StateFolder& operator=(const StateFolder&) = delete;
 
-  const std::filesystem::path& path() const { return m_path; }
   /// A file of the run of a picture under that key, such as "log"; its folder is made.
   std::filesystem::path file(const std::string& name, const std::string& key,
                              const std::string& kind) const;
   /// Where runs keep passes of radiosity, which pictures share; '/' ends it.
-  std::string radiosity_folder() const { return (m_path / "radiosity" / "").string(); }
+  std::string radiosity_folder() const { return (path() / "radiosity" / "").string(); }
   void forget_radiosity() const;
   /// Of all keys of that picture but this one.
   void forget_others(const std::string& name, const std::string& key) const;
@@ -33,9 +33,6 @@ class StateFolder {
 
  private:
   std::filesystem::path begin_of(const std::string& name) const;
-
-  std::filesystem::path m_path;
-  int m_lock = -1;
 };
 
 }  // namespace lentray::batch

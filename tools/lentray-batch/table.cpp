@@ -5,18 +5,13 @@
 #include <utility>
 
 #include "core/base/formed.h"
+#include "core/base/joined.h"
 #include "tools/lentray-batch/page_cards.h"
 
 namespace lentray::batch {
 namespace {
 
 std::string number(const char* how, double value) { return core::formed(how, value); }
-
-std::string joined(const std::vector<std::string>& words) {
-  std::string out;
-  for (const std::string& word : words) out += (out.empty() ? "" : ", ") + word;
-  return out;
-}
 
 /// Cells of a table end at "|".
 std::string cell(std::string text) {
@@ -36,7 +31,8 @@ std::string line(const Row& row) {
   out += " | ";
   if (v.noise_rms)
     out += number("%.2f", v.bias) + ", " + number("%.2f", v.noise_bias.value_or(0.0));
-  return out + " | " + cell(row.left_out.empty() ? row.reason : joined(row.left_out)) + " |\n";
+  return out + " | " + cell(row.left_out.empty() ? row.reason : core::joined(row.left_out)) +
+         " |\n";
 }
 
 std::string counts(const std::vector<std::pair<std::string, int>>& rows, const std::string& head) {
@@ -91,7 +87,7 @@ std::string table(const std::vector<Row>& rows, const std::string& command,
       "| scene | grade | PSNR dB | beyond | blocks, S | bias, S | not rendered yet |\n"
       "|---|---|---:|---:|---:|---:|---|\n" +
       lines;
-  if (!without.empty()) out += "\nNot compared: " + joined(without) + ".\n";
+  if (!without.empty()) out += "\nNot compared: " + core::joined(without) + ".\n";
   return out;
 }
 

@@ -43,29 +43,25 @@ std::vector<Kind> kinds(const GivenOption& given) {
   return out;
 }
 
+double error_of(const GivenOption& given) {
+  const double error = parser::number(given);
+  if (!(error >= 0.0) || !std::isfinite(error)) {
+    parser::refuse(given, "an error in 1/255 is expected, 0 or more");
+  }
+  return error;
+}
+
+using parser::set;
+constexpr char kProgram[] = "program", kFolder[] = "folder";
 constexpr parser::OwnOption<Arguments> kOptions[] = {
-    {"Out", [](Arguments& a, const GivenOption& g) { a.out = parser::file_name(g, "folder"); }},
-    {"Repeats",
-     [](Arguments& a, const GivenOption& g) {
-       a.repeats = static_cast<int>(parser::whole_number(g, 1, 1000));
-     }},
-    {"Budget", [](Arguments& a, const GivenOption& g) { a.budget = duration(g); }},
-    {"Error",
-     [](Arguments& a, const GivenOption& g) {
-       a.error = parser::number(g);
-       if (!(*a.error >= 0.0) || !std::isfinite(*a.error)) {
-         parser::refuse(g, "an error in 1/255 is expected, 0 or more");
-       }
-     }},
-    {"Only", [](Arguments& a, const GivenOption& g) { a.only = kinds(g); }},
-    {"Reference_Limit",
-     [](Arguments& a, const GivenOption& g) { a.reference_limit = duration(g); }},
-    {"Lentray",
-     [](Arguments& a, const GivenOption& g) {
-       a.lentray = fs::absolute(parser::file_name(g, "program"));
-     }},
-    {"Povray", [](Arguments& a,
-                  const GivenOption& g) { a.povray = parser::file_name(g, "program").string(); }},
+    {"Out", set<&Arguments::out, parser::file_name, kFolder>},
+    {"Repeats", set<&Arguments::repeats, parser::whole_number, 1, 1000>},
+    {"Budget", set<&Arguments::budget, duration>},
+    {"Error", set<&Arguments::error, error_of>},
+    {"Only", set<&Arguments::only, kinds>},
+    {"Reference_Limit", set<&Arguments::reference_limit, duration>},
+    {"Lentray", set<&Arguments::lentray, parser::file_name, kProgram>},
+    {"Povray", set<&Arguments::povray, parser::file_name, kProgram>},
 };
 
 /// What the chart decides of every picture.
@@ -94,14 +90,6 @@ bool says_threads(const std::vector<std::string>& words) {
     return same_word(word.substr(0, word.find('=')), "Work_Threads") ||
            (word.size() > 3 && same_word(word.substr(1, 2), "wt"));
   });
-}
-
-bool is_switch(const std::string& word) {
-  return word.size() > 1 && (word[0] == '+' || word[0] == '-');
-}
-
-bool is_ini(const std::string& word) {
-  return same_word(fs::path(parser::ini_name(word).file).extension().string(), ".ini");
 }
 
 void take_scene(Arguments& arguments, const std::string& word) {
@@ -141,8 +129,9 @@ Arguments parse_arguments(const std::vector<std::string>& words) {
       continue;
     } else if (word.starts_with("--")) {
       throw OptionError("unknown option '" + word + "'; --help lists all");
-    } else if (is_switch(word) || word.find('=') != std::string::npos || is_ini(word)) {
-      if (is_switch(word) || !is_ini(word)) refuse_ours(word);
+    } else if (parser::is_switch(word) || word.find('=') != std::string::npos ||
+               parser::is_ini(word)) {
+      if (parser::is_switch(word) || !parser::is_ini(word)) refuse_ours(word);
       arguments.for_lentray.push_back(word);
     } else {
       take_scene(arguments, word);
@@ -150,7 +139,8 @@ Arguments parse_arguments(const std::vector<std::string>& words) {
   }
   check(arguments);
   const fs::path beside = fs::read_symlink("/proc/self/exe").parent_path();
-  if (arguments.lentray.empty()) arguments.lentray = beside / "lentray";
+  arguments.lentray =
+      arguments.lentray.empty() ? beside / "lentray" : fs::absolute(arguments.lentray);
   arguments.diff = beside / "lentray-diff";
   return arguments;
 }

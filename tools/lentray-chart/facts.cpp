@@ -6,6 +6,7 @@
 #include <set>
 #include <sstream>
 
+#include "core/base/joined.h"
 #include "core/base/lower_case.h"
 #include "core/base/trimmed.h"
 
@@ -102,9 +103,7 @@ std::string noise_of(const SceneFacts& facts, bool jittered_antialiasing) {
   if (facts.subsurface_samples > 0) {
     parts.emplace_back("subsurface light comes from random points of the surface");
   }
-  std::string out;
-  for (const std::string& part : parts) out += (out.empty() ? "" : "; ") + part;
-  return out;
+  return core::joined(parts, "; ");
 }
 
 }  // namespace lentray::chart

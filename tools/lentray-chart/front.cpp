@@ -1,6 +1,5 @@
 #include "tools/lentray-chart/front.h"
 
-#include <algorithm>
 #include <tuple>
 #include <utility>
 

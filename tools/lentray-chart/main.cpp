@@ -1,12 +1,12 @@
 // lentray-chart: speed against accuracy of a scene's settings.
 #include <algorithm>
-#include <exception>
 #include <iostream>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <thread>
 
 #include "core/base/formed.h"
+#include "core/base/joined.h"
 #include "core/image/run_files.h"
 #include "parser/files/watched_files.h"
 #include "tools/common/child.h"
@@ -157,10 +157,9 @@ class Charting {
   void announce() {
     std::map<std::string, int> counts;
     for (const Point& p : chart().points) ++counts[name_of(p.setting.kind)];
-    std::string kinds;
-    for (const auto& [name, count] : counts) {
-      kinds += (kinds.empty() ? "" : ", ") + name + " " + std::to_string(count);
-    }
+    const std::string kinds = core::joined(counts, ", ", [](const auto& kind) {
+      return kind.first + " " + std::to_string(kind.second);
+    });
     m_progress.tell(chart().scene + ", " + std::to_string(chart().width) + " x " +
                     std::to_string(chart().height) + ": " + std::to_string(chart().points.size()) +
                     " settings (" + kinds + "), " + std::to_string(m_arguments.repeats) +

@@ -7,7 +7,6 @@
 #include <stdexcept>
 
 #include "core/base/formed.h"
-#include "tools/common/duration.h"
 #include "tools/common/json_text.h"
 #include "tools/common/process.h"
 #include "tools/common/repeats.h"

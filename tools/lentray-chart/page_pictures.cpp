@@ -1,6 +1,5 @@
 #include "tools/lentray-chart/page_pictures.h"
 
-#include <algorithm>
 #include <exception>
 #include <map>
 
@@ -90,18 +89,13 @@ class Maker {
     }
   }
   std::string jpeg_of(const fs::path& path) {
-    const auto name = tool::ThumbnailStore::name_of(
-        path, "chart " + std::to_string(m_side) + ' ' + std::to_string(m_most));
-    if (name) {
-      if (auto kept = m_store.find(*name)) return *kept;
-    }
-    const core::StoredImage image = core::read_image(path);
-    const core::ThumbnailSize size =
-        tool::size_within(image.width, image.height, image.width, m_side);
-    const std::string jpeg =
-        tool::jpeg_within(core::thumbnail_of(image, size), m_most, kBestQuality);
-    if (name && !jpeg.empty()) m_store.keep(*name, jpeg);
-    return jpeg;
+    const std::string recipe = "chart " + std::to_string(m_side) + ' ' + std::to_string(m_most);
+    return m_store.kept(path, recipe, [&] {
+      const core::StoredImage image = core::read_image(path);
+      const core::ThumbnailSize size =
+          tool::size_within(image.width, image.height, image.width, m_side);
+      return tool::jpeg_within(core::thumbnail_of(image, size), m_most, kBestQuality);
+    });
   }
 
   fs::path m_folder;

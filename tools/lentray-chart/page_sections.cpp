@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <filesystem>
 
 #include "core/base/formed.h"
+#include "core/base/joined.h"
 #include "tools/common/page_text.h"
 #include "tools/lentray-chart/charts.h"
 
@@ -216,9 +216,8 @@ std::string reference_text(const Reference& reference, const std::string& proble
   if (!problem.empty())
     out += "<p class=\"is-warning\">No picture of it: " + html_text(problem) + "</p>\n";
   if (!reference.options.empty()) {
-    std::string words;
-    for (const std::string& word : reference.options) words += (words.empty() ? "" : " ") + word;
-    out += "<code class=\"command\">" + html_text(words) + "</code>\n";
+    out +=
+        "<code class=\"command\">" + html_text(core::joined(reference.options, " ")) + "</code>\n";
   }
   if (reference.steps.empty()) return out;
   out +=

@@ -24,8 +24,6 @@ std::vector<std::string> joined(const fs::path& program, const Arguments& argume
 Session::Session(const Arguments& what, const ChartFolder& where, const Progress& shown)
     : arguments(what), folder(where), progress(shown), runner(where.own("log")) {}
 
-Session::~Session() = default;
-
 Outcome Session::lentray(const std::vector<std::string>& options, double cpu_limit) const {
   std::vector<std::string> command = joined(arguments.lentray, arguments, options);
   command.insert(command.end(), {"-V", "-D", "Count_Tests=Off", "Scene_Writes=memory"});

@@ -15,9 +15,6 @@ namespace lentray::chart {
 
 struct Session {
   Session(const Arguments& what, const ChartFolder& where, const Progress& shown);
-  ~Session();
-  Session(const Session&) = delete;
-  Session& operator=(const Session&) = delete;
 
   const Arguments& arguments;
   const ChartFolder& folder;

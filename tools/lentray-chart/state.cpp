@@ -1,15 +1,10 @@
 #include "tools/lentray-chart/state.h"
 
-#include <fcntl.h>
-#include <sys/file.h>
-#include <unistd.h>
-
-#include <cerrno>
-#include <cstring>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 #include <system_error>
 
+#include "core/base/ignored_error.h"
 #include "parser/files/watched_files.h"
 #include "tools/common/json_fields.h"
 #include "tools/common/json_text.h"
@@ -114,15 +109,6 @@ static void json_members(auto& io, tool::Of<ChartState> auto& state) {
   io("chart", state.chart);
 }
 
-namespace {
-
-[[noreturn]] void fail(const fs::path& place, int error) {
-  throw std::runtime_error("cannot write into the folder '" + place.string() +
-                           "': " + std::strerror(error));
-}
-
-}  // namespace
-
 std::string change_in(const FilesRead& files) {
   for (const auto& [path, sum] : files.read) {
     const auto now = parser::file_checksum(path);
@@ -130,8 +116,7 @@ std::string change_in(const FilesRead& files) {
     if (*now != sum) return path + " has changed";
   }
   for (const std::string& path : files.missing) {
-    std::error_code error;
-    if (fs::exists(path, error)) return path + " has come to be";
+    if (fs::exists(path, core::ignored_error())) return path + " has come to be";
   }
   return "";
 }
@@ -147,25 +132,13 @@ ChartState state_of(const std::string& text) {
 }
 
 ChartFolder::ChartFolder(const fs::path& out)
-    : m_out(fs::absolute(out).lexically_normal()), m_own(m_out / ".lentray-chart") {
-  for (const fs::path& folder : {m_own, m_out / "pictures"}) {
-    std::error_code error;
-    fs::create_directories(folder, error);
-    if (error) fail(m_out, error.value());
-  }
-  m_lock = ::open((m_own / "lock").c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666);
-  if (m_lock < 0) fail(m_out, errno);
-  if (::flock(m_lock, LOCK_EX | LOCK_NB) != 0) {
-    ::close(m_lock);
-    throw std::runtime_error("another lentray-chart works in '" + m_out.string() + "'");
-  }
+    : OwnFolder(fs::absolute(out).lexically_normal(), "lentray-chart"),
+      m_out(fs::absolute(out).lexically_normal()) {
+  tool::make_folder(m_out / "pictures", m_out);
 }
 
-ChartFolder::~ChartFolder() { ::close(m_lock); }
-
 std::optional<ChartState> ChartFolder::load() const {
-  std::error_code error;
-  if (!fs::exists(own("state.json"), error)) return std::nullopt;
+  if (!fs::exists(own("state.json"), core::ignored_error())) return std::nullopt;
   return state_of(tool::read_text(own("state.json")));
 }
 
@@ -177,8 +150,7 @@ void ChartFolder::remove_pictures() const {
   std::error_code error;
   for (fs::directory_iterator at(m_out / "pictures", error), end; !error && at != end;
        at.increment(error)) {
-    std::error_code ignored;
-    if (at->path().extension() == ".png") fs::remove(at->path(), ignored);
+    if (at->path().extension() == ".png") fs::remove(at->path(), core::ignored_error());
   }
 }
 

@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "tools/common/own_folder.h"
 #include "tools/lentray-chart/chart.h"
 #include "tools/lentray-chart/facts.h"
 
@@ -37,15 +38,12 @@ ChartState state_of(const std::string& text);
 
 /// Errors: std::runtime_error, worded for the user, where the folder cannot be made or written, and while another
 /// chart is made there.
-class ChartFolder {
+class ChartFolder : public tool::OwnFolder {
  public:
   explicit ChartFolder(const std::filesystem::path& out);
-  ~ChartFolder();
-  ChartFolder(const ChartFolder&) = delete;
-  ChartFolder& operator=(const ChartFolder&) = delete;
 
   const std::filesystem::path& out() const { return m_out; }
-  std::filesystem::path own(const std::string& name) const { return m_own / name; }
+  std::filesystem::path own(const std::string& name) const { return path() / name; }
   /// A file of out() that does not begin with a folder's name of its own: "pictures/a.png".
   std::filesystem::path file(const std::string& relative) const { return m_out / relative; }
 
@@ -55,8 +53,7 @@ class ChartFolder {
   void remove_pictures() const;
 
  private:
-  std::filesystem::path m_out, m_own;
-  int m_lock = -1;
+  std::filesystem::path m_out;
 };
 
 }  // namespace lentray::chart

@@ -116,9 +116,8 @@ class Parsing {
   }
 
   void lentrays(const std::string& word) {
-    const bool is_switch = word.size() > 1 && (word[0] == '+' || word[0] == '-');
     const std::size_t equals = word.find('=');
-    if (is_switch) {
+    if (parser::is_switch(word)) {
       on_switch(word, fs::current_path());
     } else if (equals != std::string::npos) {
       on_option(word.substr(0, equals), parser::unquoted(word.substr(equals + 1)),

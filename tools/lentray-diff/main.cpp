@@ -1,8 +1,6 @@
 // lentray-diff: the same scene by lentray and by stock POV-Ray, compared lens by lens.
 #include <algorithm>
 #include <chrono>
-#include <cstdlib>
-#include <exception>
 #include <iostream>
 #include <nlohmann/json.hpp>
 

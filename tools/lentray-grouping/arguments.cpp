@@ -1,5 +1,7 @@
 #include "tools/lentray-grouping/arguments.h"
 
+#include <algorithm>
+
 #include "parser/options/ini.h"
 #include "parser/options/own_option.h"
 #include "shadow/pixel_orders.h"
@@ -18,26 +20,23 @@ constexpr const char* kOurs[] = {"Pixel_Order",     "Shadow_Cache", "Accelerator
 
 std::vector<std::string> names(const GivenOption& given) {
   std::vector<std::string> out = list_of(given.value);
-  for (const std::string& name : out) {
-    if (name.empty()) parser::refuse(given, "a list of names is expected, such as rows,columns");
+  if (out.empty() || std::ranges::count(out, "") > 0) {
+    parser::refuse(given, "a list of names is expected, such as rows,columns");
   }
-  if (out.empty()) parser::refuse(given, "a list of names is expected, such as rows,columns");
   return out;
 }
 
+using parser::set;
 constexpr parser::OwnOption<Arguments> kOptions[] = {
-    {"Orders", [](Arguments& a, const GivenOption& g) { a.orders = names(g); }},
-    {"Caches", [](Arguments& a, const GivenOption& g) { a.caches = names(g); }},
-    {"Accelerators", [](Arguments& a, const GivenOption& g) { a.accelerators = names(g); }},
-    {"Sizes", [](Arguments& a, const GivenOption& g) { a.sizes = names(g); }},
-    {"Repeats",
-     [](Arguments& a, const GivenOption& g) {
-       a.repeats = static_cast<int>(parser::whole_number(g, 0, 1000));
-     }},
-    {"CSV", [](Arguments& a, const GivenOption& g) { a.csv = parser::file_name(g); }},
-    {"HTML", [](Arguments& a, const GivenOption& g) { a.html = parser::file_name(g); }},
-    {"Gains", [](Arguments& a, const GivenOption& g) { a.gains = parser::file_name(g); }},
-    {"Lentray", [](Arguments& a, const GivenOption& g) { a.lentray = parser::file_name(g); }},
+    {"Orders", set<&Arguments::orders, names>},
+    {"Caches", set<&Arguments::caches, names>},
+    {"Accelerators", set<&Arguments::accelerators, names>},
+    {"Sizes", set<&Arguments::sizes, names>},
+    {"Repeats", set<&Arguments::repeats, parser::whole_number, 0, 1000>},
+    {"CSV", set<&Arguments::csv, parser::any_file>},
+    {"HTML", set<&Arguments::html, parser::any_file>},
+    {"Gains", set<&Arguments::gains, parser::any_file>},
+    {"Lentray", set<&Arguments::lentray, parser::any_file>},
 };
 
 /// What this program says to lentray itself.

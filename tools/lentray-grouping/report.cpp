@@ -22,6 +22,7 @@ std::string padded(std::string text) {
   return text;
 }
 
+std::string figure(double value) { return core::formed("%.6g", value); }
 std::string percent(double part) { return core::formed("%.1f %%", 100.0 * part); }
 
 std::string short_name(const std::string& scene) {
@@ -57,7 +58,7 @@ std::string bars(const Group& group, Value value) {
   for (const std::string& order : distinct(group, [](const Trial& t) { return t.order; })) {
     out += order;
     for (const std::string& cache : caches_of(group)) {
-      out += "\t" + core::formed("%.6g", value(*find(group, order, cache)));
+      out += "\t" + figure(value(*find(group, order, cache)));
     }
     out += "\n";
   }
@@ -83,8 +84,8 @@ std::string cost_chart(const Group& group, const std::string& title) {
   const CostFit fit = fit_cost(group);
   std::string data;
   for (const Trial& t : group) {
-    data += core::formed("%.6g", static_cast<double>(t.tests) * 1e-6) + "\t" +
-            core::formed("%.6g", t.median()) + "\t" + t.order + " " + t.cache + "\n";
+    data += figure(static_cast<double>(t.tests) * 1e-6) + "\t" + figure(t.median()) + "\t" +
+            t.order + " " + t.cache + "\n";
   }
   const std::string script =
       tool::gnuplot_preamble("svg", 620, 380) + "set datafile separator '\\t'\nset title '" +
@@ -136,9 +137,8 @@ std::string gain_chart(const std::vector<Trial>& trials) {
     for (const Gain& g : gains_of(group)) {
       if (g.cache == "off") continue;
       ++count;
-      data += core::formed("%.6g", g.miss_cost) + "\t" + core::formed("%.6g", 100.0 * g.time) +
-              "\t" + core::formed("%.6g", 100.0 * g.tests) + "\t" +
-              core::formed("%.6g", 100.0 * g.equation2) + "\n";
+      data += figure(g.miss_cost) + "\t" + figure(100.0 * g.time) + "\t" + figure(100.0 * g.tests) +
+              "\t" + figure(100.0 * g.equation2) + "\n";
     }
   }
   if (count < 2) return {};
@@ -274,14 +274,12 @@ std::string csv_of(const std::vector<Trial>& trials) {
     for (const std::string& text : {t.scene, t.size, t.order, t.cache, t.accelerator}) {
       out += csv_field(text) + ",";
     }
-    out += core::formed("%.6g", t.median()) + "," + core::formed("%.6g", t.least()) + "," +
-           core::formed("%.6g", t.most()) + "," + std::to_string(t.rays) + "," +
-           std::to_string(t.blocked) + "," + std::to_string(t.hits) + "," +
-           std::to_string(t.pairs) + "," + std::to_string(t.most_hits) + "," +
-           core::formed("%.6g", t.hits_of_blocked()) + "," +
-           core::formed("%.6g", t.hits_of_most()) + "," + std::to_string(t.tests) + "," +
-           core::formed("%.6g", t.tests_a_ray()) + "," + core::formed("%.6g", t.miss_cost()) + "," +
-           std::to_string(t.runs) + "," + core::formed("%.6g", t.mean_run()) + "," +
+    out += figure(t.median()) + "," + figure(t.least()) + "," + figure(t.most()) + "," +
+           std::to_string(t.rays) + "," + std::to_string(t.blocked) + "," + std::to_string(t.hits) +
+           "," + std::to_string(t.pairs) + "," + std::to_string(t.most_hits) + "," +
+           figure(t.hits_of_blocked()) + "," + figure(t.hits_of_most()) + "," +
+           std::to_string(t.tests) + "," + figure(t.tests_a_ray()) + "," + figure(t.miss_cost()) +
+           "," + std::to_string(t.runs) + "," + figure(t.mean_run()) + "," +
            std::to_string(t.longest_run) + "," + (t.same_picture ? "yes" : "no") + "\n";
   }
   return out;
@@ -297,14 +295,11 @@ std::string gains_csv_of(const std::vector<Trial>& trials) {
       for (const std::string& text : {t.scene, t.size, t.accelerator, g.cache, g.against}) {
         out += csv_field(text) + ",";
       }
-      const std::string columns =
-          core::formed("%.6g", find(group, "columns", g.cache)->hits_of_blocked());
-      out += core::formed("%.6g", g.miss_cost) + "," +
-             core::formed("%.6g", static_cast<double>(t.blocked) / static_cast<double>(t.rays)) +
-             "," + columns + "," +
-             core::formed("%.6g", find(group, g.against, g.cache)->hits_of_blocked()) + "," +
-             core::formed("%.6g", g.tests) + "," + core::formed("%.6g", g.equation2) + "," +
-             core::formed("%.6g", g.time) + "\n";
+      const std::string columns = figure(find(group, "columns", g.cache)->hits_of_blocked());
+      out += figure(g.miss_cost) + "," +
+             figure(static_cast<double>(t.blocked) / static_cast<double>(t.rays)) + "," + columns +
+             "," + figure(find(group, g.against, g.cache)->hits_of_blocked()) + "," +
+             figure(g.tests) + "," + figure(g.equation2) + "," + figure(g.time) + "\n";
     }
   }
   return out;

@@ -1,7 +1,6 @@
 #include "tools/lentray-merge/join.h"
 
 #include <algorithm>
-#include <cctype>
 #include <memory>
 #include <span>
 #include <string>

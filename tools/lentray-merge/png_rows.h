@@ -4,15 +4,15 @@
 // Errors: core::ImageError with the path and the reason. One thread an object.
 #pragma once
 
-#include <png.h>
-
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <span>
 #include <vector>
 
 #include "core/image/open_file.h"
+#include "core/image/png_errors.h"
 
 namespace lentray::merge {
 
@@ -20,9 +20,6 @@ class PngRows {
  public:
   /// A row has so many bytes.
   PngRows(std::filesystem::path path, std::size_t row_bytes);
-  ~PngRows();
-  PngRows(const PngRows&) = delete;
-  PngRows& operator=(const PngRows&) = delete;
 
   /// Counted from 1; not above the one before. Until the next call.
   std::span<const png_byte> row(std::uint32_t number);
@@ -34,8 +31,7 @@ class PngRows {
 
   const std::filesystem::path m_path;
   core::OpenFile m_file;
-  png_structp m_png = nullptr;
-  png_infop m_info = nullptr;
+  std::optional<core::PngInput> m_input;
   std::uint32_t m_at = 0;  ///< row that is in memory; 0: none
   std::vector<png_byte> m_row;
 };

@@ -1,7 +1,6 @@
 #include "tools/lentray-model/arguments.h"
 
-#include <algorithm>
-#include <cctype>
+#include <array>
 #include <cmath>
 #include <sstream>
 
@@ -78,14 +77,10 @@ void set_figures(Arguments& a, const GivenOption& given) {
   }
 }
 
-void set_model(Arguments& a, const GivenOption& g) {
-  a.lens.model = choice(g, {"paraxial", "pinhole"}) == 0 ? camera::LensModel::kParaxial
-                                                         : camera::LensModel::kPinhole;
-}
-
-void set_alpha(Arguments& a, const GivenOption& g) {
-  a.alpha = choice(g, {"printed", "refracted"}) == 0 ? shadow::paper::Alpha::kPrinted
-                                                     : shadow::paper::Alpha::kRefracted;
+constexpr std::array kModels{"paraxial", "pinhole"}, kAlphas{"printed", "refracted"};
+template <const auto& kNames>  // in the order of the values
+std::size_t one_of(const GivenOption& given) {
+  return choice(given, {kNames.begin(), kNames.end()});
 }
 
 void set_pixels(Arguments& a, const GivenOption& g) {
@@ -102,21 +97,19 @@ void set_format(Arguments& a, const GivenOption& g) {
   a.format = choice(g, {"png", "svg"}) == 0 ? "png" : "svg";
 }
 
-std::uint32_t count(const GivenOption& g) {
-  return static_cast<std::uint32_t>(parser::whole_number(g, 1, kMostPixels));
-}
-
 using A = Arguments;
 using G = GivenOption;
+using parser::set;
 constexpr parser::OwnOption<A> kOptions[] = {
     {"Lens_Pitch", [](A& a, const G& g) { a.lens.pitch = parser::positive(g); }},
     {"Lens_LPI", [](A& a, const G& g) { a.lens.pitch = 25.4 / parser::positive(g); }},
     {"Lens_Focal_Length", [](A& a, const G& g) { a.lens.focal_length = parser::positive(g); }},
     {"Lens_IOR", set_ior},
     {"Lens_Pixels", set_pixels},
-    {"Lens_Model", set_model},
-    {"Lenses", [](A& a, const G& g) { a.lenses = count(g); }},
-    {"Rows", [](A& a, const G& g) { a.rows = count(g); }},
+    {"Lens_Model",
+     set<parser::of_member<&A::lens, &camera::LensParameters::model>, one_of<kModels>>},
+    {"Lenses", set<&A::lenses, parser::whole_number, 1, kMostPixels>},
+    {"Rows", set<&A::rows, parser::whole_number, 1, kMostPixels>},
     {"A", [](A& a, const G& g) { a.a = range_of(g, false); }},
     {"D", [](A& a, const G& g) { a.d = range_of(g, true); }},
     {"Xstart", [](A& a, const G& g) { a.x = parser::number(g); }},
@@ -125,14 +118,13 @@ constexpr parser::OwnOption<A> kOptions[] = {
     {"Slice_D", [](A& a, const G& g) { a.slice_d = parser::positive(g); }},
     {"Strip_Width", [](A& a, const G& g) { a.strip_widths = whole_numbers(g); }},
     {"Strip_Height", [](A& a, const G& g) { a.strip_heights = whole_numbers(g); }},
-    {"Alpha", set_alpha},
+    {"Alpha", set<&A::alpha, one_of<kAlphas>>},
     {"CSV", [](A& a, const G& g) { a.csv = parser::file_name(g); }},
     {"Deviations", [](A& a, const G& g) { a.deviations = parser::file_name(g); }},
     {"Figures", set_figures},
     {"Folder", [](A& a, const G& g) { a.folder = parser::file_name(g); }},
     {"Format", set_format},
-    {"Threads",
-     [](A& a, const G& g) { a.threads = static_cast<int>(parser::whole_number(g, 1, 512)); }},
+    {"Threads", set<&A::threads, parser::whole_number, 1, 512>},
 };
 
 [[noreturn]] void unknown(const std::string& word) {

@@ -9,7 +9,6 @@
 #include <mutex>
 
 #include "core/image/run_files.h"
-#include "tools/common/gnuplot.h"
 #include "tools/common/process.h"
 #include "tools/common/tool_main.h"
 #include "tools/lentray-model/arguments.h"

@@ -2,8 +2,6 @@
 
 #include <charconv>
 #include <cmath>
-#include <functional>
-#include <limits>
 #include <optional>
 #include <string_view>
 

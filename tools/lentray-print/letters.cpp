@@ -1,7 +1,6 @@
 #include "tools/lentray-print/letters.h"
 
 #include <algorithm>
-#include <string>
 
 namespace lentray::print {
 namespace {
@@ -108,14 +107,13 @@ constexpr double kLineWidth = 0.115;  ///< of a capital's height
 
 const char* lines_of(char letter) {
   const auto* found = std::ranges::find(kLetters, letter, &Letter::letter);
-  return found == std::end(kLetters) ? nullptr : found->lines;
+  return found == std::end(kLetters) ? kUnknownLetter : found->lines;
 }
 
 double units_of(char letter) {
   if (letter == ' ') return kBlankUnits;
-  const char* lines = lines_of(letter);
   double width = 0.0;
-  for (const char* c = lines ? lines : kUnknownLetter; *c != '\0'; ++c) {
+  for (const char* c = lines_of(letter); *c != '\0'; ++c) {
     if (*c >= '0' && *c <= '<') width = std::max(width, static_cast<double>(*c - '0'));
   }
   return width + kGapUnits;
@@ -139,8 +137,6 @@ std::vector<Point> rounded(std::vector<Point> points) {
 
 }  // namespace
 
-bool has_letter(char letter) { return letter == ' ' || lines_of(letter) != nullptr; }
-
 double text_width(std::string_view text, double height) {
   double units = 0.0;
   for (const char letter : text) units += units_of(letter);
@@ -162,7 +158,7 @@ std::vector<Stroke> text_strokes(std::string_view text, Point foot, double heigh
       points.clear();
       is_curve = false;
     };
-    for (const char* c = lines ? lines : kUnknownLetter; *c != '\0'; ++c) {
+    for (const char* c = lines; *c != '\0'; ++c) {
       if (*c == ' ') {
         flush();
       } else if (*c == '~') {

@@ -12,6 +12,5 @@ namespace lentray::print {
 /// `height`: of capital letters.
 double text_width(std::string_view text, double height);
 std::vector<Stroke> text_strokes(std::string_view text, Point foot, double height);
-bool has_letter(char letter);
 
 }  // namespace lentray::print

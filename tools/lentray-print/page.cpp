@@ -11,14 +11,17 @@
 namespace lentray::print {
 namespace {
 
-template <class Change>
-void change_points(Page& page, const Change& change) {
+bool is_told(const Box& box) { return box.width > 0.0; }
+
+/// All but pictures.
+void move_parts(Page& page, const auto& move_box, const auto& moved_point) {
+  std::ranges::for_each(page.bars, move_box);
+  if (is_told(page.trim)) move_box(page.trim);
+  if (is_told(page.bleed)) move_box(page.bleed);
   for (Stroke& stroke : page.strokes) {
-    for (Point& point : stroke.points) point = change(point);
+    for (Point& point : stroke.points) point = moved_point(point);
   }
 }
-
-bool is_told(const Box& box) { return box.width > 0.0; }
 
 }  // namespace
 
@@ -91,11 +94,11 @@ Page mirrored(Page page) {
     picture.column = columns - picture.column - picture.image.width;
     picture.image = core::upright(std::move(picture.image), core::kMirrored);
   }
-  const auto mirror = [right](Box& box) { box.left = right - box.right(); };
-  std::for_each(page.bars.begin(), page.bars.end(), mirror);
-  if (is_told(page.trim)) mirror(page.trim);
-  if (is_told(page.bleed)) mirror(page.bleed);
-  change_points(page, [right](Point p) { return Point{right - p.x, p.y}; });
+  move_parts(
+      page, [right](Box& box) { box.left = right - box.right(); },
+      [right](Point p) {
+        return Point{right - p.x, p.y};
+      });
   return page;
 }
 
@@ -111,10 +114,7 @@ Page turned(Page page) {
   const auto turn = [bottom](Box& box) {
     box = {bottom - box.bottom(), box.left, box.height, box.width};
   };
-  std::for_each(page.bars.begin(), page.bars.end(), turn);
-  if (is_told(page.trim)) turn(page.trim);
-  if (is_told(page.bleed)) turn(page.bleed);
-  change_points(page, [bottom](Point p) { return Point{bottom - p.y, p.x}; });
+  move_parts(page, turn, [bottom](Point p) { return Point{bottom - p.y, p.x}; });
   std::swap(page.width, page.height);
   std::swap(page.dpi_x, page.dpi_y);
   return page;

@@ -1,5 +1,6 @@
 #include "tools/lentray-print/paper.h"
 
+#include "core/base/joined.h"
 #include "parser/options/ini.h"
 
 namespace lentray::print {
@@ -25,10 +26,6 @@ std::optional<parser::Extent> paper_named(std::string_view name) {
   return std::nullopt;
 }
 
-std::string paper_names() {
-  std::string all;
-  for (const Paper& paper : kPapers) all += (all.empty() ? "" : ", ") + std::string(paper.name);
-  return all;
-}
+std::string paper_names() { return core::joined(kPapers, ", ", &Paper::name); }
 
 }  // namespace lentray::print

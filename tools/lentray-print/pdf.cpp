@@ -2,11 +2,9 @@
 
 #include <zlib.h>
 
-#include <array>
 #include <cstdint>
 #include <stdexcept>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "core/base/formed.h"

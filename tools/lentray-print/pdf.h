@@ -21,8 +21,6 @@ class PdfFile {
  public:
   explicit PdfFile(const std::filesystem::path& path);
   ~PdfFile();
-  PdfFile(const PdfFile&) = delete;
-  PdfFile& operator=(const PdfFile&) = delete;
   void add(const Page& page);
   void finish();
 

@@ -1,7 +1,5 @@
 #include "tools/lentray-views/join.h"
 
-#include <cmath>
-
 #include "camera/text.h"
 #include "core/image/writer.h"
 #include "tools/lentray-views/picture.h"
@@ -19,12 +17,6 @@ constexpr Matrix kDuboisRight = {
 constexpr Matrix kPlainLeft = {{{1, 0, 0}, {0, 0, 0}, {0, 0, 0}}};
 constexpr Matrix kPlainRight = {{{0, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
 
-void check_alike(const StoredImage& a, const StoredImage& b) {
-  if (const std::string how = other_kind(a, b); !how.empty()) {
-    throw core::ImageError("these views do not go together: they have " + how);
-  }
-}
-
 /// Red, green and blue of a pixel over black.
 std::array<float, 3> colour_of(const Light& light, std::uint32_t column, std::uint32_t row) {
   const float* const pixel = light.pixel(column, row);
@@ -33,6 +25,12 @@ std::array<float, 3> colour_of(const Light& light, std::uint32_t column, std::ui
 }
 
 }  // namespace
+
+void check_alike(const StoredImage& a, const StoredImage& b) {
+  if (const std::string how = other_kind(a, b); !how.empty()) {
+    throw core::ImageError("these views do not go together: they have " + how);
+  }
+}
 
 StoredImage quilt_of(const std::vector<StoredImage>& views, std::uint32_t columns) {
   const std::uint32_t width = views[0].width, height = views[0].height,

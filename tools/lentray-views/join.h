@@ -13,6 +13,9 @@
 
 namespace lentray::views {
 
+/// Throws unless both have one size and kind.
+void check_alike(const core::StoredImage& a, const core::StoredImage& b);
+
 /// Of that many columns: the first view lower left, from there to the right and upwards. All views
 /// have one size and kind.
 core::StoredImage quilt_of(const std::vector<core::StoredImage>& views, std::uint32_t columns);

@@ -1,7 +1,5 @@
 #include "tools/lentray-views/page_strips.h"
 
-#include <algorithm>
-#include <cmath>
 #include <optional>
 
 #include "core/image/thumbnail.h"
@@ -29,10 +27,7 @@ StoredImage opaque_rgb(const StoredImage& image) {
         colours.values.push_back(light.channels < 3 ? pixel[0] : pixel[c]);
     }
   }
-  StoredImage like;
-  like.bits = 8;
-  like.gamma = -1.0;
-  return stored(colours, like);
+  return for_viewers(colours);
 }
 
 /// A picture for each place behind the lenses; black where a lens has fewer columns than others.

@@ -32,10 +32,7 @@ float encoded_sample(float light, double gamma) {
 
 /// The same picture in what a file of that type holds.
 StoredImage fit_for(FileType type, const StoredImage& image) {
-  StoredImage like;
-  like.channels = image.channels;
-  like.gamma = image.gamma;
-  like.profile = image.profile;
+  StoredImage like = blank_like(image, 0, 0);
   like.bits = type == FileType::exr ? 32 : type == FileType::jpeg ? 8 : std::min(image.bits, 16);
   if (image.bits == 32 && like.bits != 32) like.bits = 8;
   if (like.bits == image.bits && !(type == FileType::jpeg && image.has_alpha())) return image;
@@ -181,12 +178,15 @@ StoredImage stored(const Light& light, const StoredImage& like) {
   return out;
 }
 
-StoredImage for_viewers(const StoredImage& image) {
-  if (image.bits == 8 && image.gamma <= 0.0) return image;
+StoredImage for_viewers(const Light& light) {
   StoredImage like;
   like.bits = 8;
   like.gamma = -1.0;
-  return stored(light_of(image), like);
+  return stored(light, like);
+}
+
+StoredImage for_viewers(const StoredImage& image) {
+  return image.bits == 8 && image.gamma <= 0.0 ? image : for_viewers(light_of(image));
 }
 
 void write_picture(const StoredImage& image, const std::filesystem::path& path,

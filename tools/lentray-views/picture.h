@@ -48,6 +48,7 @@ Light light_of(const core::StoredImage& image);
 core::StoredImage stored(const Light& light, const core::StoredImage& like);
 /// 8 bits of sRGB, for viewers.
 core::StoredImage for_viewers(const core::StoredImage& image);
+core::StoredImage for_viewers(const Light& light);
 
 /// What goes into a file besides its pixels.
 struct About {

@@ -6,7 +6,6 @@
 #include "camera/lenticular.h"
 #include "camera/text.h"
 #include "core/image/writer.h"
-#include "tools/lentray-views/picture.h"
 
 namespace lentray::views {
 namespace {

@@ -45,8 +45,6 @@ class IntegralSource final : public Source {
     return {seen(eyes.left), seen(eyes.right)};
   }
   std::vector<std::string> warnings() const override {
-    const bool is_pair = m_arguments.task == Task::kStereo || m_arguments.task == Task::kAnaglyph;
-    if (!is_pair) return {};
     if (m_arguments.pair) return warnings_of_views(*m_arguments.pair);
     return warnings_of_eyes(m_integral.sheet, eyes_of_pair());
   }
@@ -101,9 +99,7 @@ class PictureSource final : public Source {
     return {view(turned ? 1 : 0), view(turned ? 0 : 1)};
   }
   std::vector<std::string> warnings() const override {
-    const bool is_pair = m_arguments.task == Task::kStereo || m_arguments.task == Task::kAnaglyph;
-    return is_pair && m_arguments.pair ? warnings_of_views(*m_arguments.pair)
-                                       : std::vector<std::string>();
+    return m_arguments.pair ? warnings_of_views(*m_arguments.pair) : std::vector<std::string>();
   }
   double aspect() const override {
     if (m_arguments.sheet.aspect) return *m_arguments.sheet.aspect;

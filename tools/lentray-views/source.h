@@ -27,8 +27,8 @@ class Source {
   virtual double aspect() const = 0;
   /// What is known of the sheet.
   virtual const Facts& facts() const = 0;
-  /// What a user should know of what was asked for.
-  virtual std::vector<std::string> warnings() const { return {}; }
+  /// What a user should know of the pair.
+  virtual std::vector<std::string> warnings() const = 0;
 };
 
 /// By the arguments' pictures: one is an integral image, several are views. `count`: views it shall

@@ -207,9 +207,7 @@ std::string write_wiggle(const Arguments& a, tool::PhotoReader& reader) {
   std::vector<StoredImage> frames;
   for (std::uint32_t view = range.first; view <= range.last; ++view) {
     frames.push_back(source->view(view));
-    if (const std::string how = other_kind(frames[0], frames.back()); !how.empty()) {
-      throw ImageError("these views do not go together: they have " + how);
-    }
+    check_alike(frames[0], frames.back());
   }
   for (std::uint32_t view = range.last; view-- > range.first + 1;) {
     frames.push_back(frames[view - range.first]);

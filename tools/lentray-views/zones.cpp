@@ -5,7 +5,6 @@
 #include <numbers>
 
 #include "camera/lenticular.h"
-#include "camera/text.h"
 #include "tools/lentray-views/slanted.h"
 
 namespace lentray::views {

@@ -8,6 +8,7 @@
 #include <csignal>
 #include <cstdio>
 
+#include "core/base/joined.h"
 #include "parser/base/shown.h"
 #include "parser/files/files.h"
 #include "tools/common/process.h"
@@ -100,9 +101,7 @@ Commands::Commands(const parser::RenderOptions& options,
   if (names.empty()) return;
   m_allowed = parser::shellout_allowed(confs);
   if (m_allowed || options.warning_level == 0) return;
-  std::string where;
-  for (const std::string& place : parser::conf_places())
-    where += (where.empty() ? "" : " or ") + place;
+  std::string where = core::joined(parser::conf_places(), " or ");
   for (const parser::PovrayConf& conf : confs) {
     if (conf.shellout == parser::PovrayConf::Shellout::kForbidden) where = conf.path;
   }

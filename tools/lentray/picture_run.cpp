@@ -3,12 +3,12 @@
 #include <algorithm>
 #include <chrono>
 #include <cstdio>
-#include <filesystem>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <stdexcept>
 
 #include "core/base/deep_threads.h"
+#include "core/base/joined.h"
 #include "core/image/run_files.h"
 #include "parser/dump/scene_json.h"
 #include "parser/files/watched_files.h"
@@ -109,9 +109,7 @@ void connect(parser::Diagnostics& diagnostics, MessageForm& form, Warnings& warn
 /// With Strict=On nothing may be missing from the picture.
 void refuse_if_strict(const RenderOptions& o, const std::vector<std::string>& not_rendered) {
   if (!o.strict || not_rendered.empty()) return;
-  std::string list;
-  for (const std::string& feature : not_rendered) list += (list.empty() ? "" : ", ") + feature;
-  throw parser::OptionError("Strict=On: the picture would lack " + list);
+  throw parser::OptionError("Strict=On: the picture would lack " + core::joined(not_rendered));
 }
 
 /// --parse-only, --dump: text -> descriptions, checked as far as they can be without rendering.

@@ -22,8 +22,6 @@ class TextStreams {
   /// Opens the files. Throws parser::OptionError if one cannot be written, core::ImageError if it is a file that the
   /// run reads. What stands in a file stays until keep(), for the scene may include it.
   explicit TextStreams(const parser::RenderOptions& options);
-  TextStreams(const TextStreams&) = delete;
-  TextStreams& operator=(const TextStreams&) = delete;
 
   /// The scene is read: what was said so far goes to its files, and what is said from now on at once. Throws
   /// core::ImageError if the run has read one of them, and leaves that one as it is.

@@ -1,12 +1,9 @@
 #include "tools/session/photon_run.h"
 
-#include <cstdint>
 #include <fstream>
 #include <iomanip>
 #include <nlohmann/json.hpp>
 #include <sstream>
-#include <utility>
-#include <vector>
 
 #include "core/image/file_swap.h"
 #include "core/image/writer.h"

@@ -1,6 +1,5 @@
 #include "tools/session/radiosity_lattice.h"
 
-#include <cmath>
 #include <cstdint>
 #include <sstream>
 

@@ -1,12 +1,11 @@
 #include "tools/session/radiosity_store.h"
 
-#include <algorithm>
 #include <filesystem>
 
+#include "core/base/ignored_error.h"
 #include "core/image/writer.h"
 #include "parser/options/ini.h"
 #include "tools/common/process.h"
-#include "tools/session/summed_bytes.h"
 
 namespace lentray::tool {
 namespace {
@@ -14,18 +13,14 @@ namespace {
 namespace fs = std::filesystem;
 
 bool is_folder(const std::string& name) {
-  std::error_code error;
-  return name.ends_with('/') || fs::is_directory(name, error);
+  return name.ends_with('/') || fs::is_directory(name, core::ignored_error());
 }
 
 bool is_stock(const std::string& name) {
   return parser::same_word(fs::path(name).extension().string(), ".rca");
 }
 
-bool is_there(const std::string& path) {
-  std::error_code error;
-  return fs::is_regular_file(path, error);
-}
+bool is_there(const std::string& path) { return fs::is_regular_file(path, core::ignored_error()); }
 
 }  // namespace
 
@@ -123,8 +118,7 @@ void RadiosityStore::finish() {
 void RadiosityStore::write(const std::string& bytes) {
   try {
     if (m_is_folder) {
-      std::error_code error;
-      fs::create_directories(fs::path(m_path).parent_path(), error);
+      fs::create_directories(fs::path(m_path).parent_path(), core::ignored_error());
     }
     write_whole(m_path, bytes);
   } catch (const core::ImageError& error) {

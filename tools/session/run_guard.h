@@ -17,8 +17,6 @@ class RunGuard {
   /// `keep`: called before the program is ended, on any thread; null: nothing is to be kept.
   explicit RunGuard(std::function<void()> keep = {});
   ~RunGuard();
-  RunGuard(const RunGuard&) = delete;
-  RunGuard& operator=(const RunGuard&) = delete;
 
   /// From now on, on the wall's clock.
   void limit_time(double seconds);

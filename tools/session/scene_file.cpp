@@ -6,6 +6,7 @@
 #include <fstream>
 #include <iostream>
 
+#include "core/base/ignored_error.h"
 #include "core/image/run_files.h"
 
 namespace lentray::tool {
@@ -24,8 +25,7 @@ std::string found(const parser::RenderOptions& options) {
   for (const fs::path& folder : folders) {
     for (const char* end : {"", ".pov", ".POV"}) {
       const fs::path path = folder / (options.input + end);
-      std::error_code error;
-      const auto status = fs::status(path, error);
+      const auto status = fs::status(path, core::ignored_error());
       if (!fs::exists(status) || fs::is_directory(status)) continue;
       if (!std::ifstream(path)) throw OptionError("cannot read the scene '" + path.string() + "'");
       core::note_input(path);
@@ -54,8 +54,7 @@ SceneFile::SceneFile(const parser::RenderOptions& options) {
 }
 
 SceneFile::~SceneFile() {
-  std::error_code error;
-  if (!m_temporary.empty()) fs::remove_all(m_temporary, error);
+  if (!m_temporary.empty()) fs::remove_all(m_temporary, core::ignored_error());
 }
 
 }  // namespace lentray::tool

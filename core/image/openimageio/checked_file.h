@@ -17,8 +17,6 @@ class CheckedFile final : public OIIO::Filesystem::IOProxy {
   /// Empties the file; failing to open it is a complaint, too.
   CheckedFile(const std::filesystem::path& path, SpareRoom* spare);
   ~CheckedFile() override;
-  CheckedFile(const CheckedFile&) = delete;
-  CheckedFile& operator=(const CheckedFile&) = delete;
 
   /// The system's word for the first failure, or empty. Final after close().
   const std::string& complaint() const { return m_complaint; }

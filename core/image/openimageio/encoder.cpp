@@ -104,8 +104,6 @@ class Encoder final : public PictureEncoder {
     const std::lock_guard lock(mutex);
     given_up.push_back(std::move(m_output));
   }
-  Encoder(const Encoder&) = delete;
-  Encoder& operator=(const Encoder&) = delete;
 
   void put(const void* samples, std::uint32_t rows) override {
     const int first = static_cast<int>(m_next), end = static_cast<int>(m_next + rows);

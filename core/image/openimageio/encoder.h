@@ -5,7 +5,6 @@
 
 namespace lentray::core {
 
-std::unique_ptr<PictureEncoder> make_openimageio_encoder(const std::filesystem::path& path,
-                                                         const PictureSpec& spec);
+MakeEncoder make_openimageio_encoder;
 
 }  // namespace lentray::core

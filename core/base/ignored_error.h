@@ -1,0 +1,13 @@
+// Where the standard library tells of an error that nobody asks about. Threads: each has its own.
+#pragma once
+
+#include <system_error>
+
+namespace lentray::core {
+
+inline std::error_code& ignored_error() {
+  thread_local std::error_code error;
+  return error;
+}
+
+}  // namespace lentray::core

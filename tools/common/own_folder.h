@@ -1,0 +1,31 @@
+// The folder of a program in the folder that it writes into, such as DIR/.lentray-chart. One run of the program works
+// there at a time. Errors: std::runtime_error, worded for the user. One thread.
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+namespace lentray::tool {
+
+/// Makes the folder and those above it. `shown`: the folder that the message names.
+void make_folder(const std::filesystem::path& folder, const std::filesystem::path& shown);
+
+class OwnFolder {
+ public:
+  /// Makes DIR/.PROGRAM. Throws where that cannot be done. `is_alone`: throws also while another run works there.
+  OwnFolder(const std::filesystem::path& out, const std::string& program, bool is_alone = true);
+  ~OwnFolder();
+  OwnFolder(const OwnFolder&) = delete;
+  OwnFolder& operator=(const OwnFolder&) = delete;
+
+  const std::filesystem::path& path() const { return m_path; }
+
+ protected:
+  bool is_alone() const { return m_lock >= 0; }
+
+ private:
+  std::filesystem::path m_path;
+  int m_lock = -1;
+};
+
+}  // namespace lentray::tool
