@@ -103,7 +103,7 @@ void PhotonPath::follow(const Leg& leg) {
   }
   Hit hit;
   if (!m_scene.hierarchy().nearest(leg.ray, m_min_distance, Bounds::kInf, leg.kind, hit,
-                                   m_context.arena, m_context.tests)) {
+                                   m_context.lists, m_context.tests)) {
     return;
   }
   const Attributes& looks = hit.leaf->attributes();

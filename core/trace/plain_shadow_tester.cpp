@@ -41,7 +41,7 @@ Visibility PlainShadowTester::search(const ShadowQuery& query) {
   const Object* blocker = nullptr;
   if (buffer) {
     const LightBuffer::Answer answer =
-        buffer->any_opaque(*spot, query.ray, start(query), reach, m_context.arena, m_test_counters);
+        buffer->any_opaque(*spot, query.ray, start(query), reach, m_context.lists, m_test_counters);
     blocker = answer.blocker;
     if (blocker && m_counts_hits) {
       ShadowCounts& counts = m_context.counters.lights[query.light];
@@ -49,7 +49,7 @@ Visibility PlainShadowTester::search(const ShadowQuery& query) {
     }
   } else {
     blocker =
-        m_hierarchy.any_opaque(query.ray, start(query), reach, m_context.arena, m_test_counters);
+        m_hierarchy.any_opaque(query.ray, start(query), reach, m_context.lists, m_test_counters);
   }
   if (blocker) return {Rgb(0.0f), blocker};
   if (!m_any_transparent && !m_dimmed_by_air) return {};
@@ -79,10 +79,10 @@ void PlainShadowTester::order_ties(const Ray& ray) {
                                                                    double reach) {
   m_hits.clear();
   if (buffer) {
-    buffer->all_transparent(*spot, ray, m_tolerance, reach, m_begins_anew, m_hits, m_context.arena,
+    buffer->all_transparent(*spot, ray, m_tolerance, reach, m_begins_anew, m_hits, m_context.lists,
                             m_test_counters);
   } else {
-    m_hierarchy.all_transparent(ray, m_tolerance, reach, m_begins_anew, m_hits, m_context.arena,
+    m_hierarchy.all_transparent(ray, m_tolerance, reach, m_begins_anew, m_hits, m_context.lists,
                                 m_test_counters);
   }
 }

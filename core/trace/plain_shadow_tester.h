@@ -39,7 +39,7 @@ class PlainShadowTester final : public ShadowTester {
   bool blocks(const Object& object, const ShadowQuery& query) const {
     const double reach = query.distance - m_tolerance;
     return reach > m_tolerance &&
-           object.any(query.ray, start(query), reach, {m_context.arena, RayKind::kShadow});
+           object.any(query.ray, start(query), reach, {m_context.lists, RayKind::kShadow});
   }
   ThreadContext& context() const { return m_context; }
 

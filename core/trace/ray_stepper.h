@@ -51,7 +51,7 @@ class RayStepper {
   /// What the ray meets first; false: nothing.
   bool meet(const RayState& state, Hit& hit) {
     return m_hierarchy.nearest(state.ray, m_min_distance, Bounds::kInf, state.kind, hit,
-                               m_context.arena, m_context.tests);
+                               m_context.lists, m_context.tests);
   }
   /// Fills the record with what the ray meets.
   void step(const RayState& state, RayRecord& record) {

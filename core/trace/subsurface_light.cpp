@@ -124,7 +124,7 @@ SubsurfaceLight::Exit SubsurfaceLight::exit_at(const Surface& surface,
 
 /// A ray in a solid. No kind of rays sees all objects; this one passes by those with no_radiosity alone.
 bool SubsurfaceLight::nearest(const Ray& ray, double from, double to, Hit& hit) {
-  return m_context.scene.hierarchy().nearest(ray, from, to, RayKind::kGather, hit, m_context.arena,
+  return m_context.scene.hierarchy().nearest(ray, from, to, RayKind::kGather, hit, m_context.lists,
                                              m_context.tests);
 }
 
