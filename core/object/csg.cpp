@@ -130,16 +130,16 @@ void Csg::set_inverse(bool inverse) {
 /// for rays straight from the camera.
 bool Csg::is_unseen(std::size_t child, RayKind kind) const {
   if (!joins(m_kind)) return false;
-  const Attributes& looks = m_children[child]->attributes();
+  const Attributes& attributes = m_children[child]->attributes();
   switch (kind) {
-    case RayKind::kCamera: return looks.no_image && m_kind == CsgKind::kMerge;
+    case RayKind::kCamera: return attributes.no_image && m_kind == CsgKind::kMerge;
     case RayKind::kTransmitted:
-    case RayKind::kPhoton: return looks.no_image;
+    case RayKind::kPhoton: return attributes.no_image;
     case RayKind::kPhotonReflection:
-    case RayKind::kReflection: return looks.no_reflection;
-    case RayKind::kGather: return looks.no_radiosity;
-    case RayKind::kGatherTransmitted: return looks.no_radiosity || looks.no_image;
-    case RayKind::kGatherReflection: return looks.no_radiosity || looks.no_reflection;
+    case RayKind::kReflection: return attributes.no_reflection;
+    case RayKind::kGather: return attributes.no_radiosity;
+    case RayKind::kGatherTransmitted: return attributes.no_radiosity || attributes.no_image;
+    case RayKind::kGatherReflection: return attributes.no_radiosity || attributes.no_reflection;
     case RayKind::kShadow: break;
   }
   return false;

@@ -57,7 +57,7 @@ class PlainShadowTester final : public ShadowTester {
   Rgb filter_through(const ShadowQuery& query, const LightBuffer* buffer,
                      const LightBuffer::Spot* spot, double reach);
   /// Where it is the same at every point of the hit's texture.
-  std::optional<Rgb> plain_filter(const Attributes& looks) const;
+  std::optional<Rgb> plain_filter(const Attributes& attributes) const;
   /// Whether light comes through there as photons, and in no other way.
   bool is_for_photons(const Hit& hit, const Light& light) const;
   Rgb surface_filter(const Hit& hit, const Ray& ray, double depth, bool inside);

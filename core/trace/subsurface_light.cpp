@@ -113,7 +113,7 @@ SubsurfaceLight::Exit SubsurfaceLight::exit_at(const Surface& surface,
             scattering_of(albedo(interior.ior(atmosphere)), times(pigment, finish.diffuse),
                           finish.translucency),
             {},
-            m_lights.lights_of(surface.looks)};
+            m_lights.lights_of(surface.attributes)};
   const double factor = boundary_factor(ior);
   for (std::size_t c = 0; c < 3; ++c) {
     const double lost = exit.scattering.lost[c];
