@@ -362,7 +362,7 @@ std::optional<Status> tell(Run& run, Session& session, const std::atomic<bool>& 
 }
 
 /// The program ends soon, and the system takes its memory back at once: nobody need visit the
-/// scene's parts first.
+/// scene's parts first. Process-wide: it is to outlive all that main() holds.
 void leave_to_system(std::shared_ptr<SceneInUse> scene) {
   [[maybe_unused]] static const auto* const left =  // reached until the end
       new std::shared_ptr<SceneInUse>(std::move(scene));
