@@ -1,7 +1,6 @@
 #include "camera/mesh_camera.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include "camera/lens_request.h"
 

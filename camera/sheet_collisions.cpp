@@ -1,13 +1,11 @@
 #include "camera/sheet_collisions.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <functional>
 #include <map>
 #include <optional>
 #include <set>
-#include <utility>
 
 #include "camera/text.h"
 

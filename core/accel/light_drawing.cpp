@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <typeinfo>
 
 #include "core/object/leaf.h"

@@ -6,9 +6,7 @@
 #include <atomic>
 #include <bit>
 #include <cmath>
-#include <limits>
 #include <memory>
-#include <new>
 #include <stdexcept>
 
 #include "core/bvh/wide_collapse.h"

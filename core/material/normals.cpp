@@ -1,7 +1,5 @@
 #include "core/material/normals.h"
 
-#include <cmath>
-
 namespace lentray::core {
 namespace {
 

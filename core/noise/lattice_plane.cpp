@@ -1,6 +1,5 @@
 // Lattice noise in a plane of coordinate 0, which landscapes are made of: half the corners of a cell weigh nothing.
 #include <array>
-#include <cmath>
 #include <cstdint>
 
 #include "core/base/thread_table.h"

@@ -1,13 +1,11 @@
 #include "core/render/frame.h"
 
 #include <algorithm>
-#include <cstddef>
 #include <exception>
 #include <memory>
 #include <mutex>
 #include <optional>
 #include <thread>
-#include <vector>
 
 #include "core/base/deep_threads.h"
 #include "core/render/frame_progress.h"

@@ -1,7 +1,5 @@
 #include "core/shape/blob_fields.h"
 
-#include <cmath>
-
 #include "core/numeric/bounds_help.h"
 
 namespace lentray::core {

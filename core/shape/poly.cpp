@@ -1,7 +1,5 @@
 #include "core/shape/poly.h"
 
-#include <algorithm>
-#include <cmath>
 #include <limits>
 
 #include "core/numeric/roots.h"

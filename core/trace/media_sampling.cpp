@@ -1,7 +1,6 @@
 #include "core/trace/media_sampling.h"
 
 #include <algorithm>
-#include <cstddef>
 
 namespace lentray::core {
 namespace {

@@ -1,7 +1,6 @@
 #include "core/trace/photon_light.h"
 
 #include <algorithm>
-#include <cmath>
 #include <numbers>
 
 #include "core/base/tiny.h"

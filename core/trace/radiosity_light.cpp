@@ -3,9 +3,7 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
-#include <limits>
 #include <stdexcept>
-#include <utility>
 
 #include "core/trace/path_rules.h"
 #include "core/trace/random_key.h"
