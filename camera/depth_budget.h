@@ -5,7 +5,6 @@
 // stand elsewhere may see other points, so the sheet is surveyed again with the factor that was found.
 #pragma once
 
-#include <cstdint>
 #include <functional>
 #include <memory>
 #include <string>

@@ -168,9 +168,8 @@ ExactPixels exact_pixels(const LensRequest& request, const SheetSize& size) {
   }
   check_dpi(size.dpi_down);
   LensParameters lens = begin(request);
-  if (request.print_dpi) {
-    const double pixels = pixels_for_dpi(lens, *request.print_dpi);
-    if (!request.pixels) lens.pixels = pixels;
+  if (request.print_dpi && !request.pixels) {
+    lens.pixels = pixels_for_dpi(lens, *request.print_dpi);
   }
   check(lens);
   const double larger = lens.print_pitch() / lens.pitch;

@@ -8,7 +8,6 @@
 // Source: docs/lens/formulae.md; Snell's law (camera/lens_sheet.h).
 #pragma once
 
-#include <optional>
 #include <vector>
 
 #include "camera/camera_of_others.h"

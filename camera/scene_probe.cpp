@@ -13,10 +13,10 @@ namespace lentray::camera {
 SceneProbe probe_of(const core::Scene& scene, ObjectNamer namer, unsigned threads) {
   const auto names = std::make_shared<const ObjectNamer>(std::move(namer));
   const auto ask = [&scene, names](const core::Ray& ray, double limit) -> std::optional<ProbeHit> {
-    thread_local core::HitArena arena;
+    thread_local core::HitLists lists;
     core::Hit hit;
     if (!scene.hierarchy().nearest(ray, core::kMinHitDistance * scene.tolerance_scale(), limit,
-                                   core::RayKind::kCamera, hit, arena, nullptr)) {
+                                   core::RayKind::kCamera, hit, lists, nullptr)) {
       return std::nullopt;
     }
     const core::Object* object = hit.object;

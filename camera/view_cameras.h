@@ -4,8 +4,6 @@
 // them with stock.
 #pragma once
 
-#include <cstdint>
-
 #include "camera/lenticular.h"
 
 namespace lentray::camera {

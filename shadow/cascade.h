@@ -4,9 +4,7 @@
 // what the neighbourhood did not know: where shadows begin.
 #pragma once
 
-#include <cstdint>
 #include <optional>
-#include <vector>
 
 #include "shadow/cache_table.h"
 #include "shadow/direction_policy.h"

@@ -2,7 +2,6 @@
 // often have the same blocker, wherever the picture shows them. See cache_policy.h.
 #pragma once
 
-#include <cmath>
 #include <cstdint>
 #include <vector>
 

@@ -4,7 +4,6 @@
 // their slots: where it is light no object is tried, and little more is done than without a cache.
 #pragma once
 
-#include <array>
 #include <cstddef>
 #include <string_view>
 #include <vector>

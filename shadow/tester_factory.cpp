@@ -2,9 +2,7 @@
 
 #include <stdexcept>
 
-#include "core/scene/scene.h"
 #include "core/trace/plain_shadow_tester.h"
-#include "core/trace/thread_context.h"
 #include "shadow/auto_tester.h"
 #include "shadow/cached_tester.h"
 #include "shadow/cascade.h"

@@ -161,14 +161,14 @@ template <class T>
 struct AnySearch {
   const Ray& ray;
   double t_min, t_max;
-  HitArena& arena;
+  HitLists& lists;
   T& tally;
   const Object* found = nullptr;
 
   double limit() const { return t_max; }
   bool object(const ObjectEntry& e) {
     tally.test(e.type);
-    if (!e.object->any(ray, t_min, t_max, {arena, RayKind::kShadow})) return false;
+    if (!e.object->any(ray, t_min, t_max, {lists, RayKind::kShadow})) return false;
     found = e.object;
     return true;
   }
@@ -193,13 +193,13 @@ struct AllSearch {
   double t_min, t_max;
   bool nearest;  ///< of each object alone
   std::vector<Hit>& hits;
-  HitArena& arena;
+  HitLists& lists;
   T& tally;
 
   bool object(const ObjectEntry& e) {
     tally.test(e.type);
     const std::size_t before = hits.size();
-    add_hits(*e.object, ray, t_min, t_max, nearest, hits, {arena, RayKind::kShadow});
+    add_hits(*e.object, ray, t_min, t_max, nearest, hits, {lists, RayKind::kShadow});
     for (std::size_t i = before; i < hits.size(); ++i) {
       hits[i].object = e.object;
       hits[i].place = e.index;
@@ -235,12 +235,12 @@ struct Hierarchy::Impl {
   }
   template <class T>
   [[gnu::always_inline]] bool nearest(const Ray& ray, double t_min, double t_max, RayKind kind,
-                                      Hit& hit, HitArena& arena, T& tally) const {
+                                      Hit& hit, HitLists& lists, T& tally) const {
     NearestSearch<T> what{ray,
                           t_min,
                           static_cast<std::uint8_t>(unseen_by(kind) & any_flags),
                           hit,
-                          {arena, kind},
+                          {lists, kind},
                           tally,
                           Best(std::min(t_max, kFarthest))};
     all->search<true>(what);
@@ -252,16 +252,16 @@ struct Hierarchy::Impl {
     return what.finish();
   }
   template <class T>
-  const Object* any_opaque(const Ray& ray, double t_min, double t_max, HitArena& arena,
+  const Object* any_opaque(const Ray& ray, double t_min, double t_max, HitLists& lists,
                            T& tally) const {
-    AnySearch<T> what{ray, t_min, t_max, arena, tally};
+    AnySearch<T> what{ray, t_min, t_max, lists, tally};
     opaque_casters().template search<false>(what);
     return what.found;
   }
   template <class T>
   void all_transparent(const Ray& ray, double t_min, double t_max, bool nearest,
-                       std::vector<Hit>& hits, HitArena& arena, T& tally) const {
-    AllSearch<T> what{ray, t_min, t_max, nearest, hits, arena, tally};
+                       std::vector<Hit>& hits, HitLists& lists, T& tally) const {
+    AllSearch<T> what{ray, t_min, t_max, nearest, hits, lists, tally};
     filters->search_objects(what, t_max);
   }
   template <class Query>
@@ -346,39 +346,39 @@ template <class Query>
 }
 
 bool Hierarchy::nearest(const Ray& ray, double t_min, double t_max, RayKind kind, Hit& hit,
-                        HitArena& arena, Counters* counters) const {
+                        HitLists& lists, Counters* counters) const {
   if (counters) {
     return m_impl->counted(*counters, [&](Tally& tally) {
-      return m_impl->nearest(ray, t_min, t_max, kind, hit, arena, tally);
+      return m_impl->nearest(ray, t_min, t_max, kind, hit, lists, tally);
     });
   }
   NoTally none;
-  return m_impl->nearest(ray, t_min, t_max, kind, hit, arena, none);
+  return m_impl->nearest(ray, t_min, t_max, kind, hit, lists, none);
 }
 
-const Object* Hierarchy::any_opaque(const Ray& ray, double t_min, double t_max, HitArena& arena,
+const Object* Hierarchy::any_opaque(const Ray& ray, double t_min, double t_max, HitLists& lists,
                                     Counters* counters) const {
   if (counters) {
     return m_impl->counted(*counters, [&](Tally& tally) {
-      return m_impl->any_opaque(ray, t_min, t_max, arena, tally);
+      return m_impl->any_opaque(ray, t_min, t_max, lists, tally);
     });
   }
   NoTally none;
-  return m_impl->any_opaque(ray, t_min, t_max, arena, none);
+  return m_impl->any_opaque(ray, t_min, t_max, lists, none);
 }
 
 void Hierarchy::all_transparent(const Ray& ray, double t_min, double t_max, bool nearest,
-                                std::vector<Hit>& hits, HitArena& arena, Counters* counters) const {
+                                std::vector<Hit>& hits, HitLists& lists, Counters* counters) const {
   if (!m_impl->filters || m_impl->filters->empty()) return;
   if (counters) {
     m_impl->counted(*counters, [&](Tally& tally) {
-      m_impl->all_transparent(ray, t_min, t_max, nearest, hits, arena, tally);
+      m_impl->all_transparent(ray, t_min, t_max, nearest, hits, lists, tally);
       return true;
     });
     return;
   }
   NoTally none;
-  m_impl->all_transparent(ray, t_min, t_max, nearest, hits, arena, none);
+  m_impl->all_transparent(ray, t_min, t_max, nearest, hits, lists, none);
 }
 
 void Hierarchy::containing(const Vec3& p, std::vector<const Object*>& out) const {

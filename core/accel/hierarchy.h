@@ -28,17 +28,17 @@ class Hierarchy {
   /// Nearest hit with t_min < t < t_max, and at most kFarthest unless is_seen_afar(). Ties (equal t)
   /// go to the object whose box the ray enters first, then to an infinite one, then to the object
   /// first in the scene, so that the answer does not depend on the order of traversal.
-  bool nearest(const Ray& ray, double t_min, double t_max, RayKind kind, Hit& hit, HitArena& arena,
+  bool nearest(const Ray& ray, double t_min, double t_max, RayKind kind, Hit& hit, HitLists& lists,
                Counters* counters) const;
 
   /// Any opaque object (Object::is_opaque) hit with t_min < t < t_max, or null. Shadow rays.
-  const Object* any_opaque(const Ray& ray, double t_min, double t_max, HitArena& arena,
+  const Object* any_opaque(const Ray& ray, double t_min, double t_max, HitLists& lists,
                            Counters* counters) const;
 
   /// Every hit of objects that are not opaque, or the `nearest` of each alone, unsorted; shadow rays
   /// filtering coloured shadows.
   void all_transparent(const Ray& ray, double t_min, double t_max, bool nearest,
-                       std::vector<Hit>& hits, HitArena& arena, Counters* counters) const;
+                       std::vector<Hit>& hits, HitLists& lists, Counters* counters) const;
 
   /// The objects whose inside holds the point, in the scene's order; replaces `out`. Every solid counts, hollow
   /// ones and ones without an `interior` too, and each part of a union that is split. Solids without end,

@@ -54,7 +54,7 @@ const Object* LightBuffer::plane_blocker(const Ray& ray, double t_min, double t_
 template <class Count>
 [[gnu::always_inline]] inline LightBuffer::Probe LightBuffer::probe(const Caster& caster,
                                                                     const Ray& ray, double t_min,
-                                                                    double t_max, HitArena& arena,
+                                                                    double t_max, HitLists& lists,
                                                                     Count count) const {
   const auto probe_of = [](bool blocks) { return blocks ? Probe::kBlocks : Probe::kMisses; };
   count.test(caster.object);
@@ -80,14 +80,14 @@ template <class Count>
       return probe_of(static_cast<const Box*>(caster.shape)->Box::nearest(ray, t_min, t_max, hit));
     case CasterKind::kAny: break;
   }
-  return probe_of(caster.object->any(ray, t_min, t_max, {arena, RayKind::kShadow}));
+  return probe_of(caster.object->any(ray, t_min, t_max, {lists, RayKind::kShadow}));
 }
 
 /// Not inlined, so that any_opaque() needs no frame where there are planes alone.
 template <class Count>
 [[gnu::noinline]] LightBuffer::Answer LightBuffer::other_blocker(const Spot& spot, const Ray& ray,
                                                                  double t_min, double t_max,
-                                                                 HitArena& arena,
+                                                                 HitLists& lists,
                                                                  Count count) const {
   if (const Cell* cell = spot.cell) {
     const Entry* begin = m_entries.data() + cell->first;
@@ -110,7 +110,7 @@ template <class Count>
           foreseen = false;
           continue;
         }
-        const Probe answer = probe(caster, ray, t_min, t_max, arena, count);
+        const Probe answer = probe(caster, ray, t_min, t_max, lists, count);
         if (answer == Probe::kBlocks) return {caster.object, foreseen};
         if (answer == Probe::kMisses) foreseen = false;
       } while (++entry < end && entry->near_w < spot.w);
@@ -118,41 +118,41 @@ template <class Count>
   }
   for (const Caster& caster : m_always_opaque) {
     count.test(caster.object);
-    if (caster.object->any(ray, t_min, t_max, {arena, RayKind::kShadow}))
+    if (caster.object->any(ray, t_min, t_max, {lists, RayKind::kShadow}))
       return {caster.object, false};
   }
   return {};
 }
 
 LightBuffer::Answer LightBuffer::any_opaque_counted(const Spot& spot, const Ray& ray, double t_min,
-                                                    double t_max, HitArena& arena,
+                                                    double t_max, HitLists& lists,
                                                     Counters& counters) const {
   ++counters.bounds_tests;
   const Tally counted{counters};
   if (const Object* plane = plane_blocker(ray, t_min, t_max, counted)) return {plane, true};
-  return other_blocker(spot, ray, t_min, t_max, arena, counted);
+  return other_blocker(spot, ray, t_min, t_max, lists, counted);
 }
 
 LightBuffer::Answer LightBuffer::any_opaque(const Spot& spot, const Ray& ray, double t_min,
-                                            double t_max, HitArena& arena,
+                                            double t_max, HitLists& lists,
                                             Counters* counters) const {
   if (counters) {
-    return any_opaque_counted(spot, ray, t_min, t_max, arena, *counters);
+    return any_opaque_counted(spot, ray, t_min, t_max, lists, *counters);
   }
   const NoTally uncounted;
   if (const Object* plane = plane_blocker(ray, t_min, t_max, uncounted)) return {plane, true};
   if (!spot.cell && m_always_opaque.empty()) return {};
-  return other_blocker(spot, ray, t_min, t_max, arena, uncounted);
+  return other_blocker(spot, ray, t_min, t_max, lists, uncounted);
 }
 
 void LightBuffer::all_transparent(const Spot& spot, const Ray& ray, double t_min, double t_max,
-                                  bool nearest, std::vector<Hit>& hits, HitArena& arena,
+                                  bool nearest, std::vector<Hit>& hits, HitLists& lists,
                                   Counters* counters) const {
   const auto ask = [&](const Caster& caster) {
     if (caster.object == spot.unmet) return;
     if (counters) counters->add_tests(caster.object->name(), 1);
     const std::size_t before = hits.size();
-    add_hits(*caster.object, ray, t_min, t_max, nearest, hits, {arena, RayKind::kShadow});
+    add_hits(*caster.object, ray, t_min, t_max, nearest, hits, {lists, RayKind::kShadow});
     for (std::size_t i = before; i < hits.size(); ++i) {
       hits[i].object = caster.object;
       hits[i].place = caster.place;

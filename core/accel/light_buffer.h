@@ -57,10 +57,10 @@ class LightBuffer {
   /// As Hierarchy::any_opaque, for a ray from the point of `spot` to the light: t_min is the
   /// tolerance, t_max the way to the light less the tolerance.
   Answer any_opaque(const Spot& spot, const Ray& to_light, double t_min, double t_max,
-                    HitArena& arena, Counters* counters) const;
+                    HitLists& lists, Counters* counters) const;
   /// As Hierarchy::all_transparent.
   void all_transparent(const Spot& spot, const Ray& to_light, double t_min, double t_max,
-                       bool nearest, std::vector<Hit>& hits, HitArena& arena,
+                       bool nearest, std::vector<Hit>& hits, HitLists& lists,
                        Counters* counters) const;
 
   std::size_t memory() const;
@@ -99,12 +99,12 @@ class LightBuffer {
   const Object* plane_blocker(const Ray& to_light, double t_min, double t_max, Count count) const;
   template <class Count>
   Answer other_blocker(const Spot& spot, const Ray& to_light, double t_min, double t_max,
-                       HitArena& arena, Count count) const;
+                       HitLists& lists, Count count) const;
   template <class Count>
   Probe probe(const Caster& caster, const Ray& to_light, double t_min, double t_max,
-              HitArena& arena, Count count) const;
+              HitLists& lists, Count count) const;
   Answer any_opaque_counted(const Spot& spot, const Ray& to_light, double t_min, double t_max,
-                            HitArena& arena, Counters& counters) const;
+                            HitLists& lists, Counters& counters) const;
 
   Vec3 m_light;
   bool m_crowded = false;

@@ -1,7 +1,6 @@
 // Vectors of three doubles. Any space and unit: the name that holds one says which.
 #pragma once
 
-#include <array>
 #include <cmath>
 
 namespace lentray::core {

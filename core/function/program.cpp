@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <numbers>
+#include <type_traits>
 
 #include "core/noise/noise.h"
 
@@ -37,6 +38,15 @@ double apply(FunctionOp op, double a, double b) {
     default: return 0.0;
   }
 }
+
+namespace {
+
+Pair apply(FunctionOp op, Pair a, Pair b) {
+  const double first = apply(op, a[0], b[0]);
+  return Pair{first, apply(op, a[1], b[1])};
+}
+
+}  // namespace
 
 Program::Program(ProgramParts parts)
     : m_code(std::move(parts.code)), m_constants(std::move(parts.constants)),
@@ -101,8 +111,46 @@ template <class Number>
   return noise(at(0), at(1), at(2), *term.generator);
 }
 
-double Program::execute(double* frame) const {
-  const auto value = [frame](std::int16_t i) { return frame[i]; };
+bool Program::WideFrame::prepare(const Program& program) {
+  const std::size_t constants = program.m_constants.size();
+  if (!program.m_is_straight || program.m_parameters != 3 ||
+      constants + program.m_frame > kSmallFrame)
+    return false;
+  m_program = &program;
+  m_arguments = m_memory.data() + constants;
+  for (std::size_t i = 0; i < constants; ++i)
+    m_memory[i] = Lanes{program.m_constants[i], program.m_constants[i]};
+  for (std::size_t i = 0; i < 3; ++i) m_arguments[i] = Lanes{};
+  return true;
+}
+
+void Program::call(const Instruction& i, double* frame) const {
+  const Callee& callee = m_calls[i.jump];
+  const std::span<const double> given(frame + i.b, callee.parameters);
+  if (callee.has_one_result) {
+    frame[i.target] = callee.function->evaluate(given);
+    return;
+  }
+  std::array<double, kMostResults> result{};
+  callee.function->evaluate_all(given, result);
+  frame[i.target] = result[static_cast<std::size_t>(i.a)];
+}
+
+void Program::call(const Instruction& i, Lanes* frame) const {
+  const Callee& callee = m_calls[i.jump];
+  frame[i.target] = callee.function->evaluate_pair({frame + i.b, callee.parameters});
+}
+
+template <class Number>
+Number Program::execute(Number* frame) const {
+  const auto value = [frame](std::int16_t i) -> const Number& { return frame[i]; };
+  // Of pairs nothing is asked: where they are registers, no program jumps.
+  const auto asked = [frame](std::int16_t i) -> double {
+    if constexpr (std::is_same_v<Number, double>)
+      return frame[i];
+    else
+      return frame[i][0];
+  };
   const Instruction* const code = m_code.data();
   for (const Instruction* next = code;;) {
     const Instruction& i = *next++;
@@ -118,16 +166,16 @@ double Program::execute(double* frame) const {
       case ProgramOp::kMove: frame[i.target] = value(i.a); break;
       case ProgramOp::kJump: next = code + i.jump; break;
       case ProgramOp::kJumpFalse:
-        if (value(i.a) == 0.0) next = code + i.jump;
+        if (asked(i.a) == 0.0) next = code + i.jump;
         break;
       case ProgramOp::kJumpNotNegative:
-        if (!(value(i.a) < 0.0)) next = code + i.jump;
+        if (!(asked(i.a) < 0.0)) next = code + i.jump;
         break;
       case ProgramOp::kJumpNotZero:
-        if (value(i.a) != 0.0) next = code + i.jump;
+        if (asked(i.a) != 0.0) next = code + i.jump;
         break;
       case ProgramOp::kJumpPast:
-        if (!(value(i.a) <= value(i.b))) next = code + i.jump;
+        if (!(asked(i.a) <= asked(i.b))) next = code + i.jump;
         break;
       case ProgramOp::kCall: call(i, frame); break;
       case ProgramOp::kNoise: frame[i.target] = noise_of(i, frame); break;
@@ -143,67 +191,8 @@ double Program::execute(double* frame) const {
   }
 }
 
-bool Program::WideFrame::prepare(const Program& program) {
-  const std::size_t constants = program.m_constants.size();
-  if (!program.m_is_straight || program.m_parameters != 3 ||
-      constants + program.m_frame > kSmallFrame)
-    return false;
-  m_program = &program;
-  m_arguments = m_memory.data() + constants;
-  for (std::size_t i = 0; i < constants; ++i)
-    m_memory[i] = Lanes{program.m_constants[i], program.m_constants[i]};
-  for (std::size_t i = 0; i < 3; ++i) m_arguments[i] = Lanes{};
-  return true;
-}
-
-Program::Lanes Program::execute(Lanes* frame) const {
-  const auto value = [frame](std::int16_t i) -> const Lanes& { return frame[i]; };
-  for (const Instruction* next = m_code.data();; ++next) {
-    const Instruction& i = *next;
-    switch (i.kind) {
-      case ProgramOp::kAdd: frame[i.target] = value(i.a) + value(i.b); break;
-      case ProgramOp::kSubtract: frame[i.target] = value(i.a) - value(i.b); break;
-      case ProgramOp::kMultiply: frame[i.target] = value(i.a) * value(i.b); break;
-      case ProgramOp::kAddProduct: frame[i.target] = value(i.a) + value(i.b) * value(i.c()); break;
-      case ProgramOp::kSubtractProduct:
-        frame[i.target] = value(i.a) - value(i.b) * value(i.c());
-        break;
-      case ProgramOp::kMove: frame[i.target] = value(i.a); break;
-      case ProgramOp::kArithmetic: {
-        const Lanes a = value(i.a), b = value(i.b);
-        const double first = apply(i.op, a[0], b[0]);
-        frame[i.target] = Lanes{first, apply(i.op, a[1], b[1])};
-        break;
-      }
-      case ProgramOp::kCall: {
-        const Callee& callee = m_calls[i.jump];
-        frame[i.target] = callee.function->evaluate_pair({frame + i.b, callee.parameters});
-        break;
-      }
-      case ProgramOp::kNoise: frame[i.target] = noise_of(i, frame); break;
-      case ProgramOp::kAddNoise:
-        frame[i.target] = value(i.a) + value(i.b) * noise_of(i, frame);
-        break;
-      case ProgramOp::kSubtractNoise:
-        frame[i.target] = value(i.a) - value(i.b) * noise_of(i, frame);
-        break;
-      case ProgramOp::kEnd: return value(i.a);
-      default: __builtin_unreachable();  // straight: no jumps
-    }
-  }
-}
-
-void Program::call(const Instruction& i, double* frame) const {
-  const Callee& callee = m_calls[i.jump];
-  const std::span<const double> given(frame + i.b, callee.parameters);
-  if (callee.has_one_result) {
-    frame[i.target] = callee.function->evaluate(given);
-    return;
-  }
-  std::array<double, kMostResults> result{};
-  callee.function->evaluate_all(given, result);
-  frame[i.target] = result[static_cast<std::size_t>(i.a)];
-}
+template double Program::execute(double* frame) const;
+template Program::Lanes Program::execute(Lanes* frame) const;
 
 std::string Program::not_yet() const {
   std::string all;

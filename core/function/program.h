@@ -122,9 +122,10 @@ class Program final : public Function {
   /// Of more constants and registers than kSmallFrame; beyond kLargestFrame they are allocated.
   double evaluate_large(std::span<const double> arguments) const;
   double run(double* memory, std::span<const double> arguments) const;
-  double execute(double* frame) const;
-  Lanes execute(Lanes* frame) const;
+  template <class Number>
+  Number execute(Number* frame) const;
   void call(const Instruction& i, double* frame) const;
+  void call(const Instruction& i, Lanes* frame) const;
   template <class Number>
   Number noise_of(const Instruction& i, const Number* frame) const;
 

@@ -110,7 +110,8 @@ void check_writable(const fs::path& wanted) {
 
 namespace {
 
-/// Temporary files there are.
+/// Temporary files there are. Process-wide: who ends the program in the middle of its work, on a signal or for want
+/// of memory, holds none of the objects that made them.
 struct Temporaries {
   std::mutex mutex;
   std::set<fs::path> files;

@@ -17,6 +17,7 @@ namespace fs = std::filesystem;
 
 using FileNumber = std::pair<dev_t, ino_t>;
 
+/// Process-wide: an output must not take the place of a file that any other part of the program reads or writes.
 struct RunFiles {
   std::mutex mutex;
   std::map<FileNumber, fs::path> inputs;

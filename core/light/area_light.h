@@ -5,12 +5,10 @@
 #pragma once
 
 #include <array>
-#include <cmath>
 #include <cstdint>
 #include <vector>
 
 #include "core/light/light.h"
-#include "core/light/light_ray.h"
 
 namespace lentray::core {
 

@@ -33,22 +33,22 @@ std::string_view keyword(CsgKind kind) {
   }
 }
 
-/// A list of the arena, from when it is asked for first for as long as it is needed.
+/// One of the lists, from when it is asked for first for as long as it is needed.
 class ScratchHits {
  public:
-  explicit ScratchHits(HitArena& arena) : m_arena(arena) {}
+  explicit ScratchHits(HitLists& lists) : m_lists(lists) {}
   ~ScratchHits() {
-    if (m_list) m_arena.release();
+    if (m_list) m_lists.release();
   }
   ScratchHits(const ScratchHits&) = delete;
   ScratchHits& operator=(const ScratchHits&) = delete;
   std::vector<Hit>& operator*() {
-    if (!m_list) m_list = &m_arena.acquire();
+    if (!m_list) m_list = &m_lists.acquire();
     return *m_list;
   }
 
  private:
-  HitArena& m_arena;
+  HitLists& m_lists;
   std::vector<Hit>* m_list = nullptr;
 };
 
@@ -130,16 +130,16 @@ void Csg::set_inverse(bool inverse) {
 /// for rays straight from the camera.
 bool Csg::is_unseen(std::size_t child, RayKind kind) const {
   if (!joins(m_kind)) return false;
-  const Attributes& looks = m_children[child]->attributes();
+  const Attributes& attributes = m_children[child]->attributes();
   switch (kind) {
-    case RayKind::kCamera: return looks.no_image && m_kind == CsgKind::kMerge;
+    case RayKind::kCamera: return attributes.no_image && m_kind == CsgKind::kMerge;
     case RayKind::kTransmitted:
-    case RayKind::kPhoton: return looks.no_image;
+    case RayKind::kPhoton: return attributes.no_image;
     case RayKind::kPhotonReflection:
-    case RayKind::kReflection: return looks.no_reflection;
-    case RayKind::kGather: return looks.no_radiosity;
-    case RayKind::kGatherTransmitted: return looks.no_radiosity || looks.no_image;
-    case RayKind::kGatherReflection: return looks.no_radiosity || looks.no_reflection;
+    case RayKind::kReflection: return attributes.no_reflection;
+    case RayKind::kGather: return attributes.no_radiosity;
+    case RayKind::kGatherTransmitted: return attributes.no_radiosity || attributes.no_image;
+    case RayKind::kGatherReflection: return attributes.no_radiosity || attributes.no_reflection;
     case RayKind::kShadow: break;
   }
   return false;
@@ -285,7 +285,7 @@ void Csg::for_children_met(const Ray& ray, double t_min, double t_max, const Ray
   }
   if (m_core != kNobody) {
     const Object& core = *m_children[m_core];
-    ScratchHits scratch(query.arena);
+    ScratchHits scratch(query.lists);
     std::vector<Hit>& found = *scratch;
     core.all(ray, t_min, Bounds::kInf, found, query);
     if (found.empty()) return;  // nowhere beyond t_min
@@ -352,7 +352,7 @@ template <class Visit>
   const double of_place = rounding_of_place(ray);
   Overlap overlap;
   double far = 0.0, slack = 0.0;
-  ScratchHits scratch(query.arena);
+  ScratchHits scratch(query.lists);
   std::vector<Hit>& hits = *scratch;
   for (std::size_t i = 0; i < m_children.size(); ++i) {
     const std::size_t first = hits.size();
@@ -424,7 +424,7 @@ template <bool kHides>
   const bool keep_all = m_kind == CsgKind::kUnion;
   std::size_t owner = kNobody;
   Hidden hidden;
-  ScratchHits scratch(query.arena);
+  ScratchHits scratch(query.lists);
   const auto visit = [&](std::size_t i, double& limit, const Chord* chord) {
     const bool wins_ties = owner != kNobody && i > owner;
     const double to = wins_ties ? std::nextafter(limit, Bounds::kInf) : limit;
@@ -472,7 +472,7 @@ template <bool kHides>
   const bool keep_all = m_kind == CsgKind::kUnion && clips().empty();
   bool found = false;
   Hidden hidden;
-  ScratchHits scratch(query.arena);
+  ScratchHits scratch(query.lists);
   const auto visit = [&](std::size_t i, double&, const Chord* chord) {
     if (keep_all) return found = m_children[i]->any(ray, t_min, t_max, query);
     for (const Hit& h : crossings(i, ray, t_min, t_max, chord, *scratch, query)) {

@@ -1,5 +1,5 @@
 // Constructive solid geometry: unions, intersections, differences and merges of objects.
-// Space: world. Immutable while rendering; scratch memory comes from the caller's HitArena.
+// Space: world. Immutable while rendering; scratch memory comes from the caller's HitLists.
 // Source: reference manual 3.7, "Constructive Solid Geometry".
 #pragma once
 

@@ -27,7 +27,7 @@ struct Hit {
 };
 
 /// Scratch lists of hits for nested CSG; one a thread; lists are reused, never shrunk.
-class HitArena {
+class HitLists {
  public:
   std::vector<Hit>& acquire();
   void release() {
@@ -43,7 +43,7 @@ class HitArena {
 
 /// What comes with a ray: the thread's lists, and the ray's kind, for CSG has parts that some kinds do not see.
 struct RayQuery {
-  HitArena& arena;
+  HitLists& lists;
   RayKind kind;
 };
 

@@ -83,7 +83,7 @@ bool Leaf::unclipped_nearest(const Ray& ray, double t_min, double t_max, ShapeHi
     if (passes_clips(ray.at(found.t))) return true;
     t_min = found.t;
   }
-  ShapeHits& all = query.arena.shape_hits;
+  ShapeHits& all = query.lists.shape_hits;
   all.clear();
   m_shape->all(m_moved ? to_shape(ray) : ray, t_min, t_max, all);
   bool is_there = false;
@@ -109,7 +109,7 @@ bool Leaf::any(const Ray& ray, double t_min, double t_max, const RayQuery& query
 void Leaf::all(const Ray& ray, double t_min, double t_max, std::vector<Hit>& hits,
                const RayQuery& query) const {
   if (ball().is_missed_by(ray)) return;
-  ShapeHits& list = query.arena.shape_hits;
+  ShapeHits& list = query.lists.shape_hits;
   list.clear();
   m_shape->all(m_moved ? to_shape(ray) : ray, t_min, t_max, list);
   for (const ShapeHit& found : list) {

@@ -1,5 +1,5 @@
 // A shape placed in the world. Space: world; the shape keeps one of its own where it cannot be moved.
-// Immutable while rendering; scratch memory comes from the caller's HitArena.
+// Immutable while rendering; scratch memory comes from the caller's HitLists.
 #pragma once
 
 #include <memory>

@@ -1,7 +1,7 @@
 // An object of a compiled scene: what rays can meet, with its material and its clips. Shapes that stand in
 // the world are core/object/leaf.h, CSG of objects is core/object/csg.h, what is seen through bounds alone
 // is core/object/gated.h.
-// Space: world. Immutable while rendering. Scratch memory comes from the caller's HitArena.
+// Space: world. Immutable while rendering. Scratch memory comes from the caller's HitLists.
 // Source: reference manual 3.7, "Objects", "Object Modifiers".
 #pragma once
 

@@ -9,7 +9,6 @@
 #include <atomic>
 #include <cstddef>
 #include <optional>
-#include <string>
 #include <vector>
 
 #include "core/pass/pass.h"

@@ -30,10 +30,10 @@ struct Told {
 };
 
 /// How far a light's projector keeps photons: they begin behind it. Empty: they miss it.
-std::optional<double> behind_projector(const Light& light, const Ray& ray, HitArena& arena) {
+std::optional<double> behind_projector(const Light& light, const Ray& ray, HitLists& lists) {
   if (!light.projector) return 0.0;
   std::vector<Hit> hits;
-  light.projector->all(ray, kTiny, Bounds::kInf, hits, {arena, RayKind::kShadow});
+  light.projector->all(ray, kTiny, Bounds::kInf, hits, {lists, RayKind::kShadow});
   if (hits.empty()) return std::nullopt;
   double farthest = 0.0;
   for (const Hit& hit : hits) farthest = std::max(farthest, hit.t);
@@ -190,7 +190,7 @@ class PhotonPass::Shooting {
     const double share =
         beam_factor(light, ray.at(1.0), {-ray.direction, 1.0}) / photons_at_once(light);
     if (share < kDark) return false;
-    const auto before = behind_projector(light, ray, by.context.arena);
+    const auto before = behind_projector(light, ray, by.context.lists);
     if (!before) return false;
     ray.origin = ray.at(*before);
     return by.path.shoot(

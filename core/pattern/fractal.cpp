@@ -4,25 +4,19 @@
 #include <cmath>
 
 #include "core/base/whole.h"
+#include "core/numeric/complex_functions.h"
 
 namespace lentray::core {
 namespace {
 
-/// Plain complex arithmetic: std::complex guards against infinities at a price.
-struct Complex {
-  double re = 0.0, im = 0.0;
-  friend Complex operator+(Complex a, Complex b) { return {a.re + b.re, a.im + b.im}; }
-  friend Complex operator*(Complex a, Complex b) {
-    return {a.re * b.re - a.im * b.im, a.re * b.im + a.im * b.re};
-  }
-  friend Complex operator*(double s, Complex a) { return {s * a.re, s * a.im}; }
-  friend Complex operator/(Complex a, Complex b) {
-    const double square = b.re * b.re + b.im * b.im;
-    return {(a.re * b.re + a.im * b.im) / square, (a.im * b.re - a.re * b.im) / square};
-  }
-  Complex plus(double real) const { return {re + real, im}; }
-  double norm() const { return re * re + im * im; }
-};
+Complex operator+(Complex a, Complex b) { return {a.re + b.re, a.im + b.im}; }
+Complex operator+(Complex a, double real) { return {a.re + real, a.im}; }
+Complex operator*(double s, Complex a) { return {s * a.re, s * a.im}; }
+Complex operator/(Complex a, Complex b) {
+  const double square = b.re * b.re + b.im * b.im;
+  return {(a.re * b.re + a.im * b.im) / square, (a.im * b.re - a.re * b.im) / square};
+}
+double square_of(Complex a) { return a.re * a.re + a.im * a.im; }
 
 class FractalPattern final : public Pattern {
  public:
@@ -36,10 +30,10 @@ class FractalPattern final : public Pattern {
     if (m_fractal.magnet == 0 && m_fractal.exponent == 2) return quadratic(point, c);
     const bool from_zero = m_fractal.magnet != 0 && !m_fractal.julia;
     Complex z = from_zero ? Complex{} : point;
-    double least = from_zero ? 10000.0 : z.norm();
+    double least = from_zero ? 10000.0 : square_of(z);
     for (int i = 0; i < m_fractal.iterations; ++i) {
       z = step(z, c);
-      const double norm = z.norm();
+      const double norm = square_of(z);
       least = std::min(least, norm);
       if (escaped(z, norm)) return exterior(i, z);
     }
@@ -63,13 +57,13 @@ class FractalPattern final : public Pattern {
   }
   Complex step(Complex z, Complex c) const {
     if (m_fractal.magnet == 1) {
-      const Complex root = (z * z + c).plus(-1.0) / (2.0 * z + c).plus(-2.0);
+      const Complex root = (z * z + c + -1.0) / (2.0 * z + c + -2.0);
       return root * root;
     }
     if (m_fractal.magnet == 2) {
-      const Complex c1 = c.plus(-1.0), c2 = c.plus(-2.0), both = c1 * c2;
+      const Complex c1 = c + -1.0, c2 = c + -2.0, both = c1 * c2;
       const Complex root =
-          (z * z * z + 3.0 * (c1 * z) + both) / (3.0 * (z * z) + 3.0 * (c2 * z) + both).plus(1.0);
+          (z * z * z + 3.0 * (c1 * z) + both) / (3.0 * (z * z) + 3.0 * (c2 * z) + both + 1.0);
       return root * root;
     }
     Complex power = z;
@@ -78,7 +72,7 @@ class FractalPattern final : public Pattern {
   }
   bool escaped(Complex z, double norm) const {
     if (m_fractal.magnet == 0) return norm > 4.0;
-    return norm > 10000.0 || z.plus(-1.0).norm() < 1e-4;
+    return norm > 10000.0 || square_of(z + -1.0) < 1e-4;
   }
   double exterior(int iteration, Complex z) const {
     const double factor = m_fractal.exterior_factor;
@@ -89,7 +83,7 @@ class FractalPattern final : public Pattern {
       case 3: return z.im * factor;
       case 4: return z.re * z.re * factor;
       case 5: return z.im * z.im * factor;
-      case 6: return std::sqrt(z.norm()) * factor;
+      case 6: return std::sqrt(square_of(z)) * factor;
       case 7: return remainder(iteration, whole_of(factor)) / factor;
       case 8: return remainder(iteration, whole_of(1.0 + factor)) / factor;
       default: return 0.0;

@@ -13,23 +13,6 @@ namespace {
 
 constexpr double kPi = std::numbers::pi;
 
-PatternPtr make_spiral(double arms, const std::optional<Turbulence>& turbulence, int generator,
-                       bool second) {
-  return pattern_of([arms, turbulence, generator, second](const Vec3& p) {
-    double shift = 0.0;
-    if (turbulence && turbulence->amount.x != 0.0)
-      shift = turbulence->amount.x * core::turbulence(p, *turbulence, generator);
-    const double radius = std::sqrt(p.x * p.x + p.y * p.y);
-    double angle = 0.0;
-    if (radius != 0.0) {
-      const double lift = std::asin(p.y / radius);
-      angle = p.x < 0.0 ? 1.5 * kPi - lift : 0.5 * kPi + lift;
-    }
-    const double turns = p.z + radius + arms * angle / (2.0 * kPi) + shift;
-    return second ? triangle_wave(radius) + triangle_wave(turns) : turns;
-  });
-}
-
 /// The cells around one whose random points can be among the three nearest: up to two away along
 /// one axis, up to one along the others. Near ones first.
 constexpr auto kNeighbours = [] {
@@ -249,11 +232,21 @@ PatternPtr make_agate(const Turbulence& turbulence, double scale, int generator)
     return wave < 0.0 ? 0.0 : std::pow(std::min(wave, 1.0), 0.77);
   });
 }
-PatternPtr make_spiral1(int arms, const std::optional<Turbulence>& turbulence, int generator) {
-  return make_spiral(arms, turbulence, generator, false);
-}
-PatternPtr make_spiral2(int arms, const std::optional<Turbulence>& turbulence, int generator) {
-  return make_spiral(arms, turbulence, generator, true);
+PatternPtr make_spiral(int arms, const std::optional<Turbulence>& turbulence, int generator,
+                       bool second) {
+  return pattern_of([arms, turbulence, generator, second](const Vec3& p) {
+    double shift = 0.0;
+    if (turbulence && turbulence->amount.x != 0.0)
+      shift = turbulence->amount.x * core::turbulence(p, *turbulence, generator);
+    const double radius = std::sqrt(p.x * p.x + p.y * p.y);
+    double angle = 0.0;
+    if (radius != 0.0) {
+      const double lift = std::asin(p.y / radius);
+      angle = p.x < 0.0 ? 1.5 * kPi - lift : 0.5 * kPi + lift;
+    }
+    const double turns = p.z + radius + arms * angle / (2.0 * kPi) + shift;
+    return second ? triangle_wave(radius) + triangle_wave(turns) : turns;
+  });
 }
 PatternPtr make_ripples(int sources, double frequency, double phase) {
   return pattern_of([all = wave_sources(sources), frequency, phase](const Vec3& p) {

@@ -18,8 +18,9 @@ PatternPtr make_wrinkles(int generator);
 PatternPtr make_marble(const std::optional<Turbulence>& turbulence, int generator);
 PatternPtr make_wood(const std::optional<Turbulence>& turbulence);
 PatternPtr make_agate(const Turbulence& turbulence, double scale, int generator);
-PatternPtr make_spiral1(int arms, const std::optional<Turbulence>& turbulence, int generator);
-PatternPtr make_spiral2(int arms, const std::optional<Turbulence>& turbulence, int generator);
+/// spiral1, or the second kind.
+PatternPtr make_spiral(int arms, const std::optional<Turbulence>& turbulence, int generator,
+                       bool second);
 /// frequency and phase move the waves, besides what Wave does with the result.
 PatternPtr make_ripples(int sources, double frequency, double phase);
 PatternPtr make_waves(int sources, double frequency, double phase);

@@ -178,13 +178,6 @@ WarpPtr make_cubic_warp() {
   });
 }
 
-WarpPtr make_uv_warp() {
-  return warp_of([](const Vec3&, const SurfaceContext& surface) -> Vec3 {
-    const Vec2 uv = texture_coordinates(surface);
-    return {uv.u, uv.v, 0.0};
-  });
-}
-
 Placement::Placement(std::vector<WarpPtr> steps) : m_steps(std::move(steps)) {
   if (m_steps.empty()) return;
   const bool affine = std::all_of(m_steps.begin(), m_steps.end(),

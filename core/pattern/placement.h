@@ -38,8 +38,6 @@ WarpPtr make_spherical_warp(const Vec3& orientation, double distance_exponent);
 WarpPtr make_toroidal_warp(const Vec3& orientation, double distance_exponent, double major_radius);
 WarpPtr make_planar_warp(const Vec3& orientation, double offset);
 WarpPtr make_cubic_warp();
-/// From the surface's texture coordinates on, whatever the point.
-WarpPtr make_uv_warp();
 
 class Placement {
  public:

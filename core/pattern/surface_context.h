@@ -14,13 +14,11 @@ struct SurfaceContext {
   Vec3 point;
   Vec3 normal;     ///< unit, facing the ray; that of the layer above, once one has perturbed it
   Vec3 direction;  ///< of the ray, unit
-  const Hit* hit = nullptr;  ///< null: asked for a point of empty space (sky, function, media)
+  const Hit* hit = nullptr;  ///< null: asked for a point of empty space (sky, function, media);
+                             ///< patterns pass it on, and rooms above read it
 };
 
 /// For points that lie on nothing.
 inline constexpr SurfaceContext kNoSurface{};
-
-/// Texture coordinates of the surface at the point; 0 where there is none.
-Vec2 texture_coordinates(const SurfaceContext& surface);
 
 }  // namespace lentray::core

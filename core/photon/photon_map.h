@@ -4,9 +4,7 @@
 // pictures (tests/image/photons_test.cpp).
 #pragma once
 
-#include <cstdint>
 #include <memory>
-#include <vector>
 
 #include "core/photon/c_random.h"
 #include "core/photon/photon_maps.h"

@@ -22,9 +22,9 @@ const Mesh* mesh_of(const Leaf& leaf) {
 /// Every texture that a leaf's surface may show.
 template <class Visit>
 void visit_textures(const Leaf& leaf, Visit&& visit) {
-  const Attributes& looks = leaf.attributes();
-  if (looks.texture) visit(*looks.texture);
-  if (looks.interior_texture) visit(*looks.interior_texture);
+  const Attributes& attributes = leaf.attributes();
+  if (attributes.texture) visit(*attributes.texture);
+  if (attributes.interior_texture) visit(*attributes.interior_texture);
   if (const Mesh* mesh = mesh_of(leaf)) {
     for (const Texture* texture : mesh->textures()) {
       if (texture) visit(*texture);

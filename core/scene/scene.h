@@ -6,7 +6,6 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
-#include <string>
 #include <vector>
 
 #include "core/accel/accelerator.h"
@@ -15,7 +14,6 @@
 #include "core/light/light.h"
 #include "core/material/interior.h"
 #include "core/material/texture.h"
-#include "core/numeric/slope_watch.h"
 #include "core/object/object.h"
 #include "core/photon/photon_maps.h"
 #include "core/photon/settings.h"
@@ -56,13 +54,6 @@ struct SkySphere {
   Rgb emission{1.0f, 1.0f, 1.0f};
 };
 
-/// The slopes that the copies of an isosurface see, and what a warning about its statement begins
-/// with ("scene.pov:5:1: warning: ").
-struct WatchedSlope {
-  std::string heading;
-  std::shared_ptr<const SlopeWatch> watch;
-};
-
 /// What a scene is made of, before compiling: the parser's build step fills this.
 struct SceneParts {
   SceneSettings settings;
@@ -76,8 +67,6 @@ struct SceneParts {
   std::vector<std::unique_ptr<const LightSelection>> light_selections;  ///< likewise
   std::vector<PassFlags> pass_flags{{}};                                ///< likewise; 0: defaults
   std::vector<PhotonTarget> photon_targets;  ///< in the order in which they are shot at
-  std::vector<std::string> not_rendered;     ///< features parsed and kept but not rendered yet
-  std::vector<WatchedSlope> slopes;          ///< to report on after rendering
   std::uint64_t picture_bytes = 0;           ///< of pictures that textures hold
   std::size_t deepest = 1;                   ///< most levels of objects and textures in each other
 };
@@ -108,8 +97,8 @@ class Scene {
   const SkySphere* sky_sphere() const { return m_parts.sky_sphere.get(); }
   const Atmosphere& atmosphere() const { return m_parts.atmosphere; }
   /// What passes ask of an object, by Attributes::pass_flags.
-  const PassFlags& pass_flags(const Attributes& looks) const {
-    return m_parts.pass_flags[looks.pass_flags];
+  const PassFlags& pass_flags(const Attributes& attributes) const {
+    return m_parts.pass_flags[attributes.pass_flags];
   }
   const std::vector<PhotonTarget>& photon_targets() const { return m_parts.photon_targets; }
   const Hierarchy& hierarchy() const { return *m_hierarchy; }

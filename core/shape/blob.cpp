@@ -288,13 +288,11 @@ void Blob::crossings(const Ray& from_afar, double t_min, double t_max, Visit&& v
 }
 
 bool Blob::nearest(const Ray& ray, double t_min, double t_max, ShapeHit& hit) const {
-  const auto each = [&](auto&& visit) { crossings(ray, t_min, t_max, visit); };
-  return first_of_ordered(each, t_min, t_max, hit);
+  return first_of_ordered(*this, ray, t_min, t_max, hit);
 }
 
 void Blob::all(const Ray& ray, double t_min, double t_max, ShapeHits& hits) const {
-  const auto each = [&](auto&& visit) { crossings(ray, t_min, t_max, visit); };
-  append_ordered(each, t_min, t_max, hits);
+  append_ordered(*this, ray, t_min, t_max, hits);
 }
 
 bool Blob::within(const Vec3& p) const {

@@ -22,6 +22,10 @@ class Blob final : public Shape {
   bool holds(const Vec3& p, bool inverse) const override { return within(p) != inverse; }
   Vec3 normal(const Vec3& p, const ShapeHit& hit) const override;
 
+  /// Calls visit(t) in order along the ray; stops when it returns false.
+  template <class Visit>
+  void crossings(const Ray& from_afar, double t_min, double t_max, Visit&& visit) const;
+
  private:
   friend struct PlainShapes;  // tests/unit/shape/plain_shapes.h
   bool within(const Vec3& p) const;
@@ -49,9 +53,6 @@ class Blob final : public Shape {
   };
   void find_reaches(std::uint32_t field, const Ray& ray, double t_min, Reaches& out) const;
   bool may_hold(const Reach* const* active, std::size_t count, double from, double to) const;
-  /// Calls visit(t) in order along the ray; stops when it returns false.
-  template <class Visit>
-  void crossings(const Ray& from_afar, double t_min, double t_max, Visit&& visit) const;
 
   double m_threshold;
   BlobFields m_fields;

@@ -65,12 +65,13 @@ class OneCrossing : public Shape {
   }
 };
 
-/// The first crossing with t_min < t < t_max. `each` calls its argument with t in order, until that
-/// returns false.
-template <class Each>
-bool first_of_ordered(Each&& each, double t_min, double t_max, ShapeHit& hit) {
+/// The first crossing with t_min < t < t_max. Self::crossings() calls its last argument with t
+/// in order, until that returns false.
+template <class Self>
+bool first_of_ordered(const Self& shape, const Ray& ray, double t_min, double t_max,
+                      ShapeHit& hit) {
   bool found = false;
-  each([&](double t) {
+  shape.crossings(ray, t_min, t_max, [&](double t) {
     if (!(t > t_min)) return true;
     if (t < t_max) {
       hit = {t, 0, 0.0, 0.0};
@@ -82,20 +83,21 @@ bool first_of_ordered(Each&& each, double t_min, double t_max, ShapeHit& hit) {
 }
 
 /// Appends all of them.
-template <class Each>
-void append_ordered(Each&& each, double t_min, double t_max, ShapeHits& hits) {
-  each([&](double t) {
+template <class Self>
+void append_ordered(const Self& shape, const Ray& ray, double t_min, double t_max,
+                    ShapeHits& hits) {
+  shape.crossings(ray, t_min, t_max, [&](double t) {
     if (t > t_min && t < t_max) hits.push_back({t, 0, 0.0, 0.0});
     return t < t_max;
   });
 }
 
-/// The nearest crossing with t_min < t < t_max. `each` calls its argument with t, the element and
-/// the place on it, in any order.
-template <class Each>
-bool nearest_of_all(Each&& each, double t_min, double t_max, ShapeHit& hit) {
+/// The nearest crossing with t_min < t < t_max. Self::crossings() calls its last argument with t,
+/// the element and the place on it, in any order.
+template <class Self>
+bool nearest_of_all(const Self& shape, const Ray& ray, double t_min, double t_max, ShapeHit& hit) {
   bool found = false;
-  each([&](double t, std::uint32_t element, double place) {
+  shape.crossings(ray, t_min, t_max, [&](double t, std::uint32_t element, double place) {
     if (!(t > t_min && t < t_max)) return;
     hit = {t, element, place, 0.0};
     t_max = t;
@@ -105,9 +107,9 @@ bool nearest_of_all(Each&& each, double t_min, double t_max, ShapeHit& hit) {
 }
 
 /// Appends all of them.
-template <class Each>
-void append_all(Each&& each, double t_min, double t_max, ShapeHits& hits) {
-  each([&](double t, std::uint32_t element, double place) {
+template <class Self>
+void append_all(const Self& shape, const Ray& ray, double t_min, double t_max, ShapeHits& hits) {
+  shape.crossings(ray, t_min, t_max, [&](double t, std::uint32_t element, double place) {
     if (t > t_min && t < t_max) hits.push_back({t, element, place, 0.0});
   });
 }

@@ -25,6 +25,9 @@ class Lathe final : public Shape {
   /// Around, and along the pieces, each the same share.
   Vec2 uv(const Vec3& p, const ShapeHit& hit) const override;
 
+  template <class Visit>
+  void crossings(const Ray& ray, double t_min, double t_max, Visit&& visit) const;
+
  private:
   friend struct PlainShapes;  // tests/unit/shape/plain_shapes.h
   bool within(const Vec3& p) const;
@@ -34,8 +37,6 @@ class Lathe final : public Shape {
     CurvePiece curve;
     double low, high, widest;  ///< heights, greatest distance from the axis
   };
-  template <class Visit>
-  void crossings(const Ray& ray, double t_min, double t_max, Visit&& visit) const;
 
   Bounds m_reach;  ///< a little more than bounds()
   std::vector<Piece> m_pieces;

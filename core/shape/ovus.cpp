@@ -116,13 +116,11 @@ void Ovus::crossings(const Ray& ray, double t_min, double t_max, Visit&& visit) 
 }
 
 bool Ovus::nearest(const Ray& ray, double t_min, double t_max, ShapeHit& hit) const {
-  const auto each = [&](auto&& visit) { crossings(ray, t_min, t_max, visit); };
-  return nearest_of_all(each, t_min, t_max, hit);
+  return nearest_of_all(*this, ray, t_min, t_max, hit);
 }
 
 void Ovus::all(const Ray& ray, double t_min, double t_max, ShapeHits& hits) const {
-  const auto each = [&](auto&& visit) { crossings(ray, t_min, t_max, visit); };
-  append_all(each, t_min, t_max, hits);
+  append_all(*this, ray, t_min, t_max, hits);
 }
 
 bool Ovus::within(const Vec3& p) const {

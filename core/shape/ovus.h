@@ -24,13 +24,14 @@ class Ovus final : public Shape {
   /// As on a sphere about the point half a top radius up.
   Vec2 uv(const Vec3& p, const ShapeHit& hit) const override;
 
+  template <class Visit>
+  void crossings(const Ray& ray, double t_min, double t_max, Visit&& visit) const;
+
  private:
   bool within(const Vec3& p) const;
   Bounds own_box() const;
   Bounds box_in(const Transform& t) const;
   bool may_meet_waist(const Vec3& q, const Vec3& d, double from) const;
-  template <class Visit>
-  void crossings(const Ray& ray, double t_min, double t_max, Visit&& visit) const;
 
   double m_bottom, m_top;
   double m_waist;              ///< radius of the torus' tube

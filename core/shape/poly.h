@@ -3,7 +3,6 @@
 // Source: reference manual 3.7, "Poly, Cubic and Quartic"; compared with stock by tests/image/shapes_test.cpp.
 #pragma once
 
-#include <array>
 #include <vector>
 
 #include "core/shape/crossings.h"

@@ -251,19 +251,20 @@ void Superellipsoid::crossings(const Ray& ray, double t_min, double t_max, Visit
 }
 
 bool Superellipsoid::nearest(const Ray& ray, double t_min, double t_max, ShapeHit& hit) const {
-  const auto each = [&](auto&& visit) { crossings<false>(ray, t_min, t_max, visit); };
-  return first_of_ordered(each, t_min, t_max, hit);
+  return first_of_ordered(*this, ray, t_min, t_max, hit);
 }
 
 bool Superellipsoid::any(const Ray& ray, double t_min, double t_max) const {
-  ShapeHit hit;
-  const auto each = [&](auto&& visit) { crossings<true>(ray, t_min, t_max, visit); };
-  return first_of_ordered(each, t_min, t_max, hit);
+  bool found = false;
+  crossings<true>(ray, t_min, t_max, [&](double t) {
+    found = t > t_min && t < t_max;
+    return !(t > t_min);
+  });
+  return found;
 }
 
 void Superellipsoid::all(const Ray& ray, double t_min, double t_max, ShapeHits& hits) const {
-  const auto each = [&](auto&& visit) { crossings<false>(ray, t_min, t_max, visit); };
-  append_ordered(each, t_min, t_max, hits);
+  append_ordered(*this, ray, t_min, t_max, hits);
 }
 
 bool Superellipsoid::within(const Vec3& p) const {

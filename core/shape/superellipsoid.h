@@ -26,14 +26,15 @@ class Superellipsoid final : public Shape {
   bool holds(const Vec3& p, bool inverse) const override { return within(p) != inverse; }
   Vec3 normal(const Vec3& p, const ShapeHit& hit) const override;
 
+  /// Calls visit(t) for the crossings along the ray in order; stops when it returns false.
+  template <bool kAnywhere = false, class Visit>
+  void crossings(const Ray& ray, double t_min, double t_max, Visit&& visit) const;
+
  private:
   bool within(const Vec3& p) const;
   Bounds box_in(const Transform& t) const;
   /// A norm of p (of degree 1) less 1.
   double value(const Vec3& p) const;
-  /// Calls visit(t) for the crossings along the ray in order; stops when it returns false.
-  template <bool kAnywhere, class Visit>
-  void crossings(const Ray& ray, double t_min, double t_max, Visit&& visit) const;
 
   struct Sloped;
   Sloped along(const Ray& ray, double t) const;

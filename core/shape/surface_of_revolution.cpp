@@ -160,8 +160,7 @@ bool SurfaceOfRevolution::any(const Ray& ray, double t_min, double t_max) const 
 }
 
 void SurfaceOfRevolution::all(const Ray& ray, double t_min, double t_max, ShapeHits& hits) const {
-  const auto each = [&](auto&& visit) { crossings(ray, t_min, t_max, visit); };
-  append_all(each, t_min, t_max, hits);
+  append_all(*this, ray, t_min, t_max, hits);
 }
 
 bool SurfaceOfRevolution::within(const Vec3& p) const {

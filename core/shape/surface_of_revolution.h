@@ -25,6 +25,9 @@ class SurfaceOfRevolution final : public Shape {
   /// Around, and with the height, each piece the same share; -1..0 and 1..2 on the caps.
   Vec2 uv(const Vec3& p, const ShapeHit& hit) const override;
 
+  template <class Visit>
+  void crossings(const Ray& ray, double t_min, const double& t_max, Visit&& visit) const;
+
  private:
   friend struct PlainShapes;  // tests/unit/shape/plain_shapes.h
   bool within(const Vec3& p) const;
@@ -37,8 +40,6 @@ class SurfaceOfRevolution final : public Shape {
     double at(double s) const { return ((c3 * s + c2) * s + c1) * s + c0; }
     double slope(double s) const { return (3.0 * c3 * s + 2.0 * c2) * s + c1; }
   };
-  template <class Visit>
-  void crossings(const Ray& ray, double t_min, const double& t_max, Visit&& visit) const;
   std::uint32_t base() const { return static_cast<std::uint32_t>(m_pieces.size()); }
   std::uint32_t cap() const { return base() + 1; }
 

@@ -12,7 +12,7 @@ bool LightLoop::pass_projector(const Object& projector, ShadowQuery& query) cons
   constexpr double kClear = 1e-3;  ///< nothing so near before the projector counts
   Hit hit;
   if (!projector.nearest(query.ray, kMinHitDistance * m_scene.tolerance_scale(), query.distance,
-                         hit, {m_context.arena, RayKind::kShadow})) {
+                         hit, {m_context.lists, RayKind::kShadow})) {
     return false;
   }
   query.distance = hit.t - kClear + m_tolerance;

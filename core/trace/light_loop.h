@@ -96,10 +96,10 @@ class LightLoop {
   }
 
   std::size_t lights() const { return m_sources.size(); }
-  LightLists lights_of(const Attributes& looks) const {
-    if (!looks.lights) return {m_scene.global_lights()};
-    return {looks.lights->global ? m_scene.global_lights() : std::span<const std::uint32_t>(),
-            looks.lights->local};
+  LightLists lights_of(const Attributes& attributes) const {
+    if (!attributes.lights) return {m_scene.global_lights()};
+    return {attributes.lights->global ? m_scene.global_lights() : std::span<const std::uint32_t>(),
+            attributes.lights->local};
   }
 
   /// Finds a point of a surface in the lights' buffers, so that their cells are in the processor's

@@ -2,7 +2,6 @@
 // World space; colours linear. One a thread.
 #pragma once
 
-#include <cstdint>
 #include <vector>
 
 #include "core/base/segment.h"

@@ -120,23 +120,23 @@ MediaLight::MediaLight(ThreadContext& context, ShadowTester& shadows)
       m_part_of(context.scene.lights().size()) {}
 
 void MediaLight::pass_interiors(const RayState& state, double length, int level,
-                                const Attributes& looks, Radiance& light) {
+                                const Attributes& attributes, Radiance& light) {
   find_media(m_context.interiors, state.inside, m_media);
-  pass(state, length, level, &looks, branch_key(state.key, kInteriors), light);
+  pass(state, length, level, &attributes, branch_key(state.key, kInteriors), light);
 }
 
-void MediaLight::pass_air(const RayState& state, double length, int level, const Attributes* looks,
-                          Radiance& light) {
+void MediaLight::pass_air(const RayState& state, double length, int level,
+                          const Attributes* attributes, Radiance& light) {
   m_media.clear();
   for (const auto& medium : m_context.scene.atmosphere().media) m_media.push_back(medium.get());
-  pass(state, length, level, looks, branch_key(state.key, kAir), light);
+  pass(state, length, level, attributes, branch_key(state.key, kAir), light);
 }
 
-void MediaLight::pass(const RayState& state, double length, int level, const Attributes* looks,
+void MediaLight::pass(const RayState& state, double length, int level, const Attributes* attributes,
                       std::uint64_t key, Radiance& light) {
   if (m_media.empty()) return;
   const LightLists lists =
-      looks ? m_lights.lights_of(*looks) : LightLists{m_context.scene.global_lights()};
+      attributes ? m_lights.lights_of(*attributes) : LightLists{m_context.scene.global_lights()};
   find_lit_parts(lists, state.ray, length);
   const Medium& first = leading(m_media);
   m_cutter.cut(first.sampling, first.densities.empty(), length, m_lit, m_intervals);

@@ -20,16 +20,16 @@ class MediaLight {
   MediaLight(ThreadContext& context, ShadowTester& shadows);
 
   /// In the interiors that the ray lies in, up to a surface of that material.
-  void pass_interiors(const RayState& state, double length, int level, const Attributes& looks,
+  void pass_interiors(const RayState& state, double length, int level, const Attributes& attributes,
                       Radiance& light);
-  /// In the air. `looks`: of the surface that the ray meets; null: the sky.
-  void pass_air(const RayState& state, double length, int level, const Attributes* looks,
+  /// In the air. `attributes`: of the surface that the ray meets; null: the sky.
+  void pass_air(const RayState& state, double length, int level, const Attributes* attributes,
                 Radiance& light);
 
  private:
   class Probe;
   /// `key`: of the random numbers.
-  void pass(const RayState& state, double length, int level, const Attributes* looks,
+  void pass(const RayState& state, double length, int level, const Attributes* attributes,
             std::uint64_t key, Radiance& light);
   void find_lit_parts(const LightLists& lists, const Ray& ray, double length);
 

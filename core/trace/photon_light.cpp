@@ -21,7 +21,7 @@ Rgb light_of_photons(const PhotonTree& tree, const FoundPhotons& found, const Ph
   if (found.is_empty() || !(found.radius() > 0.0)) return {};
   const Finish& finish = layer.finish;
   const Surface& at = layer.surface;
-  const bool one_sided = !at.looks.double_illuminate;
+  const bool one_sided = !at.attributes.double_illuminate;
   const double thickness =
       finish.irid > 0.0 ? film_thickness(finish, at.point(), settings.noise_generator) : 0.0;
   RandomSequence grain(branch_key(branch_key(at.state.key, at.layer), kPhotonsBranch),

@@ -24,7 +24,9 @@ bool ends_photons(const LayeredTexture& texture) {
 }
 
 /// Photons of lights outside all light groups light it.
-bool is_lit(const Attributes& looks) { return !looks.lights || looks.lights->global; }
+bool is_lit(const Attributes& attributes) {
+  return !attributes.lights || attributes.lights->global;
+}
 
 }  // namespace
 
@@ -44,11 +46,11 @@ struct PhotonPath::Leg {
 /// What a leg meets.
 struct PhotonPath::Meeting {
   const Hit& hit;
-  const Attributes& looks;
+  const Attributes& attributes;
   const PassFlags& flags;
   Vec3 point, normal;  ///< the normal faces the ray
   bool passes;
-  InteriorEntry interior() const { return interior_of(looks, hit.object); }
+  InteriorEntry interior() const { return interior_of(attributes, hit.object); }
 };
 
 /// What the layers of a texture do with photons.
@@ -103,19 +105,20 @@ void PhotonPath::follow(const Leg& leg) {
   }
   Hit hit;
   if (!m_scene.hierarchy().nearest(leg.ray, m_min_distance, Bounds::kInf, leg.kind, hit,
-                                   m_context.arena, m_context.tests)) {
+                                   m_context.lists, m_context.tests)) {
     return;
   }
-  const Attributes& looks = hit.leaf->attributes();
-  const PassFlags& flags = m_scene.pass_flags(looks);
+  const Attributes& attributes = hit.leaf->attributes();
+  const PassFlags& flags = m_scene.pass_flags(attributes);
   bool passes = false;
   if (!is_wanted(leg, flags, passes)) return;
   const Vec3 point = leg.ray.at(hit.t);
   Vec3 normal = hit.leaf->normal(point, hit.shape);
   const bool from_behind = dot(normal, leg.ray.direction) > 0.0;
   if (from_behind) normal = -normal;
-  const Meeting at{hit, looks, flags, point, normal, passes};
-  if (const LayeredTexture* all = looks.texture->everywhere(); all && !looks.interior_texture) {
+  const Meeting at{hit, attributes, flags, point, normal, passes};
+  if (const LayeredTexture* all = attributes.texture->everywhere();
+      all && !attributes.interior_texture) {
     return arrive(at, *all, leg);
   }
   WeightedTextures textures;
@@ -151,7 +154,7 @@ void PhotonPath::arrive(const Meeting& at, const LayeredTexture& texture, Leg le
   leg.power = faded(at, leg);
   leg.way += at.hit.t;
   ++leg.level;
-  if (is_behind_target && at.flags.photon_collect && is_lit(at.looks)) {
+  if (is_behind_target && at.flags.photon_collect && is_lit(at.attributes)) {
     m_out->surface.push_back(
         make_photon(at.point, leg.ray.origin, weighed(leg.power, leg.way, *m_shot)));
   }

@@ -5,9 +5,6 @@
 // (tests/image/photon_file_test.cpp). What the manual leaves open is in docs/global/method.md.
 #pragma once
 
-#include <cstdint>
-#include <vector>
-
 #include "core/photon/photon_maps.h"
 #include "core/photon/settings.h"
 #include "core/trace/photon_media.h"

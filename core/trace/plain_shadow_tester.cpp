@@ -41,7 +41,7 @@ Visibility PlainShadowTester::search(const ShadowQuery& query) {
   const Object* blocker = nullptr;
   if (buffer) {
     const LightBuffer::Answer answer =
-        buffer->any_opaque(*spot, query.ray, start(query), reach, m_context.arena, m_test_counters);
+        buffer->any_opaque(*spot, query.ray, start(query), reach, m_context.lists, m_test_counters);
     blocker = answer.blocker;
     if (blocker && m_counts_hits) {
       ShadowCounts& counts = m_context.counters.lights[query.light];
@@ -49,7 +49,7 @@ Visibility PlainShadowTester::search(const ShadowQuery& query) {
     }
   } else {
     blocker =
-        m_hierarchy.any_opaque(query.ray, start(query), reach, m_context.arena, m_test_counters);
+        m_hierarchy.any_opaque(query.ray, start(query), reach, m_context.lists, m_test_counters);
   }
   if (blocker) return {Rgb(0.0f), blocker};
   if (!m_any_transparent && !m_dimmed_by_air) return {};
@@ -79,10 +79,10 @@ void PlainShadowTester::order_ties(const Ray& ray) {
                                                                    double reach) {
   m_hits.clear();
   if (buffer) {
-    buffer->all_transparent(*spot, ray, m_tolerance, reach, m_begins_anew, m_hits, m_context.arena,
+    buffer->all_transparent(*spot, ray, m_tolerance, reach, m_begins_anew, m_hits, m_context.lists,
                             m_test_counters);
   } else {
-    m_hierarchy.all_transparent(ray, m_tolerance, reach, m_begins_anew, m_hits, m_context.arena,
+    m_hierarchy.all_transparent(ray, m_tolerance, reach, m_begins_anew, m_hits, m_context.lists,
                                 m_test_counters);
   }
 }
@@ -174,9 +174,10 @@ bool PlainShadowTester::is_for_photons(const Hit& hit, const Light& light) const
          photons_go_on(flags.photon_refraction, light.photon_refraction);
 }
 
-std::optional<Rgb> PlainShadowTester::plain_filter(const Attributes& looks) const {
-  const LayeredTexture* texture = m_by_place ? nullptr : looks.texture->everywhere();
-  if (!texture || (looks.interior && looks.interior->caustics != 0.0)) return std::nullopt;
+std::optional<Rgb> PlainShadowTester::plain_filter(const Attributes& attributes) const {
+  const LayeredTexture* texture = m_by_place ? nullptr : attributes.texture->everywhere();
+  if (!texture || (attributes.interior && attributes.interior->caustics != 0.0))
+    return std::nullopt;
   Rgb through(1.0f);
   for (const TextureLayer& layer : texture->layers()) {
     const Colour* constant = layer.pigment->constant();
@@ -189,10 +190,10 @@ std::optional<Rgb> PlainShadowTester::plain_filter(const Attributes& looks) cons
 // Texture maps blend what their textures let through. `inside`: the light came through the
 // interior of that surface to here.
 Rgb PlainShadowTester::surface_filter(const Hit& hit, const Ray& ray, double depth, bool inside) {
-  const Attributes& looks = hit.leaf->attributes();
-  const Interior* interior = looks.interior;
+  const Attributes& attributes = hit.leaf->attributes();
+  const Interior* interior = attributes.interior;
   const bool fades = inside && interior && interior->fade_power > 0.0;
-  if (const auto plain = plain_filter(looks)) {
+  if (const auto plain = plain_filter(attributes)) {
     return fades ? *plain * fade_in_interior(*interior, depth) : *plain;
   }
   const Vec3 point = ray.at(hit.t);

@@ -39,7 +39,7 @@ class PlainShadowTester final : public ShadowTester {
   bool blocks(const Object& object, const ShadowQuery& query) const {
     const double reach = query.distance - m_tolerance;
     return reach > m_tolerance &&
-           object.any(query.ray, start(query), reach, {m_context.arena, RayKind::kShadow});
+           object.any(query.ray, start(query), reach, {m_context.lists, RayKind::kShadow});
   }
   ThreadContext& context() const { return m_context; }
 
@@ -57,7 +57,7 @@ class PlainShadowTester final : public ShadowTester {
   Rgb filter_through(const ShadowQuery& query, const LightBuffer* buffer,
                      const LightBuffer::Spot* spot, double reach);
   /// Where it is the same at every point of the hit's texture.
-  std::optional<Rgb> plain_filter(const Attributes& looks) const;
+  std::optional<Rgb> plain_filter(const Attributes& attributes) const;
   /// Whether light comes through there as photons, and in no other way.
   bool is_for_photons(const Hit& hit, const Light& light) const;
   Rgb surface_filter(const Hit& hit, const Ray& ray, double depth, bool inside);

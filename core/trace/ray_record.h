@@ -87,11 +87,11 @@ struct RayRecord {
     double weight;
     std::size_t rays;  ///< of those that go on, in their order
   };
-  const Attributes* looks;  ///< of the surface; null: the sky
-  double length;            ///< of the ray
-  int level;                ///< trace level, 1: camera ray
-  Radiance own;             ///< without those that go on
-  std::vector<Part> parts;  ///< empty: one texture, whose light is `own`
+  const Attributes* attributes;  ///< of the surface; null: the sky
+  double length;                 ///< of the ray
+  int level;                     ///< trace level, 1: camera ray
+  Radiance own;                  ///< without those that go on
+  std::vector<Part> parts;       ///< empty: one texture, whose light is `own`
   std::vector<OnwardRay> onward;
 
   /// What arrives at the ray's end, where `see(OnwardRay) -> Radiance` is what arrives at the start

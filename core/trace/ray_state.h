@@ -31,7 +31,7 @@ struct RayState {
 /// A place on a surface that is shaded. Members without initialisers: all are given.
 struct Surface {
   const RayState& state;
-  const Attributes& looks;
+  const Attributes& attributes;
   SurfaceContext context;  ///< patterns of a layer see the normal of the one above
   Vec3 normal;             ///< unit, facing the ray
   Vec3 texture_point;
@@ -43,7 +43,7 @@ struct Surface {
   const Ray& ray() const { return state.ray; }
   const Vec3& point() const { return context.point; }
   const Hit& hit() const { return *context.hit; }
-  InteriorEntry interior() const { return interior_of(looks, context.hit->object); }
+  InteriorEntry interior() const { return interior_of(attributes, context.hit->object); }
 };
 
 }  // namespace lentray::core

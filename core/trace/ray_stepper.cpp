@@ -36,7 +36,7 @@ void RayStepper::pass_open_air(const RayState& state, const RayRecord& record, R
   const Segment segment{state.ray, record.length};
   if (!m_air->rainbows.empty()) pass_rainbows(*m_air, segment, state.key, light);
   if (!m_air->media.empty()) {
-    m_media->pass_air(state, record.length, record.level, record.looks, light);
+    m_media->pass_air(state, record.length, record.level, record.attributes, light);
   }
   if (!m_air->fogs.empty()) pass_fogs(*m_air, segment, light);
 }
@@ -63,7 +63,7 @@ void RayStepper::shade(const RayState& state, const Hit& hit, RayRecord& record)
   const bool from_behind = dot(normal, state.ray.direction) > 0.0;
   if (from_behind) normal = -normal;
   Surface at{state,
-             *record.looks,
+             *record.attributes,
              {point, normal, state.ray.direction, &hit},
              normal,
              point,
@@ -71,14 +71,14 @@ void RayStepper::shade(const RayState& state, const Hit& hit, RayRecord& record)
              record.level,
              0,
              from_behind};
-  if (at.looks.uv_mapping) at.texture_point = texture_point(at.context);
+  if (at.attributes.uv_mapping) at.texture_point = texture_point(at.context);
   ShadingBuffers& buffers = m_shaded < m_buffers.size() ? *m_buffers[m_shaded] : add_buffers();
   ++m_shaded;
   m_shading.begin(at, buffers);
   if (m_paths.layers) {
     shade_textures(at, buffers, record);
   } else {
-    record.own = shade_texture(*at.looks.texture->everywhere(), at, buffers, record);
+    record.own = shade_texture(*at.attributes.texture->everywhere(), at, buffers, record);
   }
   --m_shaded;
 }

@@ -51,7 +51,7 @@ class RayStepper {
   /// What the ray meets first; false: nothing.
   bool meet(const RayState& state, Hit& hit) {
     return m_hierarchy.nearest(state.ray, m_min_distance, Bounds::kInf, state.kind, hit,
-                               m_context.arena, m_context.tests);
+                               m_context.lists, m_context.tests);
   }
   /// Fills the record with what the ray meets.
   void step(const RayState& state, RayRecord& record) {
@@ -63,12 +63,12 @@ class RayStepper {
     record.parts.clear();
     record.onward.clear();
     if (hit) {
-      record.looks = &hit->leaf->attributes();
+      record.attributes = &hit->leaf->attributes();
       record.length = hit->t;
       record.level = state.level + (state.straight_on ? 0 : 1);
       shade(state, *hit, record);
     } else {
-      record.looks = nullptr;
+      record.attributes = nullptr;
       record.length = kOpenAir;
       record.level = state.level + 1;
       record.own = sky_radiance(m_scene, state.ray.direction, state.kind >= RayKind::kReflection);
@@ -76,8 +76,8 @@ class RayStepper {
   }
   /// Changes the light that RayRecord::gather() found into what arrives at the ray's origin.
   void arrive(const RayState& state, const RayRecord& record, Radiance& light) {
-    if (m_media && record.looks) {
-      m_media->pass_interiors(state, record.length, record.level, *record.looks, light);
+    if (m_media && record.attributes) {
+      m_media->pass_interiors(state, record.length, record.level, *record.attributes, light);
     }
     if (m_air) pass_open_air(state, record, light);
   }

@@ -8,7 +8,6 @@
 
 #include "core/accel/light_buffer.h"
 #include "core/base/color.h"
-#include "core/base/counters.h"
 #include "core/object/object.h"
 #include "core/trace/interiors_id.h"
 

@@ -113,7 +113,7 @@ SubsurfaceLight::Exit SubsurfaceLight::exit_at(const Surface& surface,
             scattering_of(albedo(interior.ior(atmosphere)), times(pigment, finish.diffuse),
                           finish.translucency),
             {},
-            m_lights.lights_of(surface.looks)};
+            m_lights.lights_of(surface.attributes)};
   const double factor = boundary_factor(ior);
   for (std::size_t c = 0; c < 3; ++c) {
     const double lost = exit.scattering.lost[c];
@@ -124,7 +124,7 @@ SubsurfaceLight::Exit SubsurfaceLight::exit_at(const Surface& surface,
 
 /// A ray in a solid. No kind of rays sees all objects; this one passes by those with no_radiosity alone.
 bool SubsurfaceLight::nearest(const Ray& ray, double from, double to, Hit& hit) {
-  return m_context.scene.hierarchy().nearest(ray, from, to, RayKind::kGather, hit, m_context.arena,
+  return m_context.scene.hierarchy().nearest(ray, from, to, RayKind::kGather, hit, m_context.lists,
                                              m_context.tests);
 }
 

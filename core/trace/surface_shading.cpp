@@ -248,18 +248,18 @@ Rgb SurfaceShading::lit(const Finish& finish, const Rgb& pigment, const Vec3& no
                         double opacity, const Surface& at, LightsAtPoint& known) {
   if (!m_rules.lights) return {};
   if (!shows_light(finish)) return {};
-  const bool one_sided = !at.looks.double_illuminate;
+  const bool one_sided = !at.attributes.double_illuminate;
   const Facing facing{normal, one_sided, one_sided && finish.diffuse_back == 0.0};
   Receiver receiver{
       *this, facing, finish, pigment, opacity, at, m_rules.highlights && has_highlights(finish)};
   m_lights.at({at.point(), at.level, at.state.tree_place, at.state.inside, at.state.key, false,
                m_photons && collects_photons(at), m_rules.volumes},
-              m_lights.lights_of(at.looks), known, facing, receiver);
+              m_lights.lights_of(at.attributes), known, facing, receiver);
   return receiver.sum;
 }
 
 bool SurfaceShading::collects_photons(const Surface& at) const {
-  return m_context.scene.pass_flags(at.looks).photon_collect;
+  return m_context.scene.pass_flags(at.attributes).photon_collect;
 }
 
 [[gnu::noinline]] Rgb SurfaceShading::lit_by_photons(const Finish& finish, const Rgb& pigment,

@@ -7,7 +7,6 @@
 
 #include <array>
 #include <cstddef>
-#include <cstdint>
 #include <memory>
 #include <vector>
 
@@ -70,7 +69,7 @@ class SurfaceShading {
       buffers.textures.clear();
       buffers.lights.forget_arriving();
     }
-    m_lights.look_ahead(m_lights.lights_of(at.looks), at.normal, at.hit(), at.from_behind,
+    m_lights.look_ahead(m_lights.lights_of(at.attributes), at.normal, at.hit(), at.from_behind,
                         at.point(), buffers.lights);
   }
   /// From the top layer down, until next to nothing passes.

@@ -11,9 +11,9 @@ void textures_at(const SurfaceContext& surface, bool from_behind, double least,
                  WeightedTextures& out) {
   const Hit& hit = *surface.hit;
   const Vec3 point = texture_point(surface);
-  const Attributes& looks = hit.leaf->attributes();
-  const bool interior = from_behind && looks.interior_texture;
-  const Texture* own = interior ? looks.interior_texture : looks.texture;
+  const Attributes& attributes = hit.leaf->attributes();
+  const bool interior = from_behind && attributes.interior_texture;
+  const Texture* own = interior ? attributes.interior_texture : attributes.texture;
   const Shape& shape = hit.leaf->shape();
   const Mesh* mesh = typeid(shape) == typeid(Mesh) ? static_cast<const Mesh*>(&shape) : nullptr;
   if (!mesh || !mesh->has_textures() || interior) {

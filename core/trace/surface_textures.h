@@ -13,8 +13,9 @@ void textures_at(const SurfaceContext& surface, bool from_behind, double least,
                  WeightedTextures& out);
 /// Where the textures of a surface are asked: its point, or (u, v, 0) under uv_mapping.
 inline Vec3 texture_point(const SurfaceContext& surface) {
-  if (!surface.hit->leaf->attributes().uv_mapping) return surface.point;
-  const Vec2 uv = texture_coordinates(surface);
+  const Leaf& leaf = *surface.hit->leaf;
+  if (!leaf.attributes().uv_mapping) return surface.point;
+  const Vec2 uv = leaf.uv(surface.point, surface.hit->shape);
   return {uv.u, uv.v, 0.0};
 }
 

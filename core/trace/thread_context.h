@@ -25,7 +25,7 @@ struct ThreadContext {
 
   const Scene& scene;
   const Illumination* const illumination;  ///< what passes left; null: there were none
-  HitArena arena;
+  HitLists lists;
   Counters counters;
   Counters* const tests;  ///< where tests are counted; null: nowhere
   AreaScratch area;

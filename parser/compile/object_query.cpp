@@ -34,8 +34,8 @@ bool ObjectQuery::trace(const core::Vec3& origin, const core::Vec3& direction, c
   const core::Ray ray{origin, normalized(direction)};
   if (!m_object || ray.direction == core::Vec3{}) return false;
   core::Hit hit;
-  core::HitArena arena;
-  if (!m_object->nearest(ray, kMinDistance, m_farthest, hit, {arena, core::RayKind::kShadow}))
+  core::HitLists lists;
+  if (!m_object->nearest(ray, kMinDistance, m_farthest, hit, {lists, core::RayKind::kShadow}))
     return false;
   point = ray.at(hit.t);
   normal = hit.leaf->normal(point, hit.shape);

@@ -145,8 +145,8 @@ core::PatternPtr compile_organic(const PatternDesc& p, const TextureSettings& se
     case PatternKind::kAgate:
       return core::make_agate(turbulence.value_or(core::Turbulence{}),
                               single(p.own->agate_turbulence), generator);
-    case PatternKind::kSpiral1: return core::make_spiral1(p.own->arms, turbulence, generator);
-    case PatternKind::kSpiral2: return core::make_spiral2(p.own->arms, turbulence, generator);
+    case PatternKind::kSpiral1: return core::make_spiral(p.own->arms, turbulence, generator, false);
+    case PatternKind::kSpiral2: return core::make_spiral(p.own->arms, turbulence, generator, true);
     case PatternKind::kRipples:
       return core::make_ripples(settings.number_of_waves, single(p.frequency), single(p.phase));
     case PatternKind::kWaves:

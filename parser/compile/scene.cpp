@@ -177,7 +177,7 @@ void warn_about_subsurface(const SceneDesc& scene, const TextureCompiler& textur
 }  // namespace
 
 core::SceneParts build_scene(SceneDesc& scene, Diagnostics& diagnostics,
-                             const BuildOptions& options) {
+                             const BuildOptions& options, BuildReport* report) {
   core::SceneParts parts;
   parts.settings = build_settings(scene, options);
   parts.deepest = scene.deepest;
@@ -212,13 +212,13 @@ core::SceneParts build_scene(SceneDesc& scene, Diagnostics& diagnostics,
   warn_of_random_numbers(parts, textures, diagnostics);
   check_photons(scene.global, parts, diagnostics);
   warn_about_subsurface(scene, textures, diagnostics);
-  parts.slopes = builder.slope_watches().named(diagnostics);
   for (const std::string& feature : textures.not_yet()) not_yet.try_emplace(feature, Location{});
 
   for (const auto& [feature, where] : not_yet) {
-    parts.not_rendered.push_back(feature);
+    if (report) report->not_rendered.push_back(feature);
     diagnostics.not_yet(feature, where);
   }
+  if (report) report->slopes = builder.slope_watches().named(diagnostics);
   diagnostics.report_not_yet();
   diagnostics.report_repeats();
   return parts;

@@ -1,8 +1,12 @@
 // A scene's descriptions -> what the kernel compiles.
 #pragma once
 
+#include <string>
+#include <vector>
+
 #include "core/scene/scene.h"
 #include "parser/compile/object_places.h"
+#include "parser/compile/slope_watches.h"
 #include "parser/compile/texture_compiler.h"
 #include "parser/descriptions/scene.h"
 #include "parser/source/diagnostics.h"
@@ -16,8 +20,14 @@ struct BuildOptions {
   ObjectPlaces* places = nullptr;  ///< gets those of SceneParts::objects; null: nobody wants them
 };
 
-/// Features that are kept and not rendered yet go to SceneParts::not_rendered, sorted, and are
-/// named in one warning.
+/// What the user is told of a scene besides its picture.
+struct BuildReport {
+  std::vector<std::string> not_rendered;  ///< features parsed and kept but not rendered yet, sorted
+  std::vector<WatchedSlope> slopes;       ///< to report on after rendering
+};
+
+/// Features that are kept and not rendered yet are named in one warning. `report`: null: nobody
+/// wants it.
 ///
 /// SceneSettings::assumed_gamma: a power, or 0 where colours are to be written as they are in the
 /// sRGB file: `assumed_gamma srgb` (assumed_gamma_set), or none given before #version 3.7 (not
@@ -26,7 +36,7 @@ struct BuildOptions {
 ///
 /// The objects of the scene are used up: `objects` is empty afterwards.
 core::SceneParts build_scene(SceneDesc& scene, Diagnostics& diagnostics,
-                             const BuildOptions& options = {});
+                             const BuildOptions& options = {}, BuildReport* report = nullptr);
 
 /// What the scene's textures are compiled with; `settings` of the scene that was built.
 TextureSettings texture_settings(const SceneDesc& scene, const core::SceneSettings& settings,

@@ -4,14 +4,22 @@
 
 #include <map>
 #include <memory>
+#include <string>
 #include <tuple>
 #include <vector>
 
-#include "core/scene/scene.h"
+#include "core/numeric/slope_watch.h"
 #include "parser/descriptions/object.h"
 #include "parser/source/diagnostics.h"
 
 namespace lentray::parser {
+
+/// The slopes that the copies of an isosurface see, and what a warning about its statement begins
+/// with ("scene.pov:5:1: warning: ").
+struct WatchedSlope {
+  std::string heading;
+  std::shared_ptr<const core::SlopeWatch> watch;
+};
 
 class SlopeWatches {
  public:
@@ -24,8 +32,8 @@ class SlopeWatches {
   }
 
   /// In the order of their statements.
-  std::vector<core::WatchedSlope> named(const Diagnostics& diagnostics) const {
-    std::vector<core::WatchedSlope> all;
+  std::vector<WatchedSlope> named(const Diagnostics& diagnostics) const {
+    std::vector<WatchedSlope> all;
     for (const auto& [key, watch] : m_watches) {
       all.push_back(
           {diagnostics.heading({std::get<0>(key), std::get<1>(key)}, "warning").before, watch});

@@ -12,6 +12,7 @@
 #include "core/material/picture.h"
 #include "core/material/pigments.h"
 #include "core/material/textures.h"
+#include "core/object/uv_warp.h"
 #include "parser/compile/finish.h"
 #include "parser/compile/medium.h"
 #include "parser/compile/pattern_compiler.h"

@@ -179,6 +179,7 @@ class Grids {
 }  // namespace
 
 std::shared_ptr<const core::HeightGrid> build_height_grid(const Sparse<HeightFieldShape>& field) {
+  // Process-wide: trace() and inside() of the language, before the build, and the build share what they find.
   static Grids grids;
   return grids.of(field);
 }

@@ -30,10 +30,10 @@ constexpr double kMargin = 10.0;  ///< mm that the square is larger than what th
 std::unique_ptr<core::Object> object_of(std::unique_ptr<core::Shape> shape,
                                         const core::Texture* texture, bool no_image) {
   auto leaf = std::make_unique<core::Leaf>(std::move(shape), core::Transform());
-  core::Attributes looks;
-  looks.texture = texture;
-  looks.no_image = no_image;
-  leaf->set_attributes(looks);
+  core::Attributes attributes;
+  attributes.texture = texture;
+  attributes.no_image = no_image;
+  leaf->set_attributes(attributes);
   return leaf;
 }
 

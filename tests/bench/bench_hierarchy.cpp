@@ -174,14 +174,14 @@ struct Setting {
     const double scale = 2.0 * std::tan(22.5 * kPi / 180) / kSize;
     std::mt19937_64 random(3);
     std::normal_distribution<double> normal;
-    HitArena arena;
+    HitLists lists;
     for (int y = 0; y < kSize; ++y) {
       for (int x = 0; x < kSize; ++x) {
         const Vec3 d =
             ahead + right * ((x - kSize / 2 + 0.5) * scale) - up * ((y - kSize / 2 + 0.5) * scale);
         coherent.push_back({model.eye, normalized(d)});
         Hit hit;
-        if (!hierarchy->nearest(coherent.back(), 1e-4, 1e30, RayKind::kCamera, hit, arena, nullptr))
+        if (!hierarchy->nearest(coherent.back(), 1e-4, 1e30, RayKind::kCamera, hit, lists, nullptr))
           continue;
         const Vec3 p = coherent.back().at(hit.t * (1 - 1e-6));
         incoherent.push_back({p, normalized({normal(random), normal(random), normal(random)})});
@@ -213,15 +213,15 @@ void report(benchmark::State& state, std::size_t rays, std::size_t hits) {
 void run_lentray(benchmark::State& state, const std::string& name, const std::string& kind) {
   const Setting& s = setting(name);
   const auto& rays = kind == "coherent" ? s.coherent : kind == "shadow" ? s.shadow : s.incoherent;
-  HitArena arena;
+  HitLists lists;
   std::size_t hits = 0;
   for (auto _ : state) {
     hits = 0;
     for (const Ray& ray : rays) {
       Hit hit;
       hits += kind == "shadow"
-                  ? s.hierarchy->any_opaque(ray, 1e-4, 1e30, arena, nullptr) != nullptr
-                  : s.hierarchy->nearest(ray, 1e-4, 1e30, RayKind::kCamera, hit, arena, nullptr);
+                  ? s.hierarchy->any_opaque(ray, 1e-4, 1e30, lists, nullptr) != nullptr
+                  : s.hierarchy->nearest(ray, 1e-4, 1e30, RayKind::kCamera, hit, lists, nullptr);
     }
     benchmark::DoNotOptimize(hits);
   }

@@ -109,11 +109,11 @@ class DenseScene {
 
  private:
   void add(const DenseSheet& sheet, const Vec3& eye, const Vec3& target, DenseDepth& out) const {
-    core::HitArena arena;
+    core::HitLists lists;
     core::Hit hit;
     const core::Ray ray{eye, core::normalized(target - eye)};
     if (!m_scene->hierarchy().nearest(ray, core::kMinHitDistance * m_scene->tolerance_scale(),
-                                      1e300, core::RayKind::kCamera, hit, arena, nullptr)) {
+                                      1e300, core::RayKind::kCamera, hit, lists, nullptr)) {
       out.has_sky = true;
       return;
     }

@@ -33,14 +33,14 @@ std::vector<Vec3> directions(const Vec3& eye) {
 
 /// Where each ray meets the first surface; infinite where there is none.
 std::vector<double> distances(const core::SceneParts& parts, const Vec3& eye, bool open) {
-  core::HitArena arena;
+  core::HitLists lists;
   std::vector<double> out;
   for (const Vec3& direction : directions(eye)) {
     core::Hit hit;
     for (const auto& object : parts.objects) {
       const core::Object& asked = open ? core::ungated(*object) : *object;
       asked.nearest({eye, direction}, 1e-6, hit.t, hit,
-                    core::RayQuery(arena, core::RayKind::kCamera));
+                    core::RayQuery(lists, core::RayKind::kCamera));
     }
     out.push_back(hit.t);
   }

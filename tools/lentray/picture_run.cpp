@@ -128,10 +128,11 @@ void parse_alone(Run& run, const Picture& what, const std::atomic<bool>& cancel)
   const double seconds = cpu_seconds() - before;
   const std::size_t objects = scene.objects.size() + scene.dropped;
   const std::string dump = o.dump ? json_text(parser::scene_json(scene, sources), 1) : "";
-  const core::SceneParts parts = parser::build_scene(scene, diagnostics, reading.build);
+  parser::BuildReport report;
+  parser::build_scene(scene, diagnostics, reading.build, &report);
   if (what.is_read) what.is_read();
   run.warnings.say();
-  refuse_if_strict(o, parts.not_rendered);
+  refuse_if_strict(o, report.not_rendered);
   if (o.dump) std::puts(dump.c_str());
   if (!o.verbose) return;
   std::fprintf(stderr, "Parsed: %zu objects and lights, %zu warnings, %.3f s\n", objects,
@@ -359,7 +360,7 @@ std::optional<Status> tell(Run& run, Session& session, const std::atomic<bool>& 
 }
 
 /// The program ends soon, and the system takes its memory back at once: nobody need visit the
-/// scene's parts first.
+/// scene's parts first. Process-wide: it is to outlive all that main() holds.
 void leave_to_system(std::shared_ptr<SceneInUse> scene) {
   [[maybe_unused]] static const auto* const left =  // reached until the end
       new std::shared_ptr<SceneInUse>(std::move(scene));

@@ -105,9 +105,7 @@ void Session::read() {
   build.places = m_reading.names_objects || has_sheet ? &m_text->places : nullptr;
   stop_if_asked();
   core::begin_stage("its objects were built");
-  core::SceneParts parts = parser::build_scene(description, diagnostics, build);
-  m_not_rendered = parts.not_rendered;
-  m_slopes = parts.slopes;
+  core::SceneParts parts = parser::build_scene(description, diagnostics, build, &m_built);
   reduce(parts, m_reading.build.quality);
   stop_if_asked();
   const std::uint64_t pictures = parts.picture_bytes;
@@ -290,7 +288,7 @@ shadow::RunReport Session::render(const Plan& plan, const Outlets& outlets) {
 
 std::vector<std::string> Session::advice() const {
   std::vector<std::string> out;
-  for (const core::WatchedSlope& slope : m_slopes) {
+  for (const parser::WatchedSlope& slope : m_built.slopes) {
     if (const std::string text = slope.watch->advice(); !text.empty())
       out.push_back(slope.heading + text);
   }

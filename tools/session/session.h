@@ -70,7 +70,7 @@ class Session {
   /// Whether the scene of another picture would be the same: what it asked for is.
   bool serves(const parser::ParserOptions& other) const;
   const core::Scene& scene() const { return *m_scene; }
-  const std::vector<std::string>& not_rendered() const { return m_not_rendered; }
+  const std::vector<std::string>& not_rendered() const { return m_built.not_rendered; }
 
   /// Looks through the scene's own camera, or the default one.
   CameraSetup camera(const CameraOptions& options);
@@ -114,8 +114,7 @@ class Session {
   core::Illumination m_light;         ///< that passes have left
   std::optional<PhotonRun> m_photons;
   std::optional<RadiosityRun> m_radiosity;
-  std::vector<core::WatchedSlope> m_slopes;
-  std::vector<std::string> m_not_rendered;
+  parser::BuildReport m_built;
   core::MemoryStages m_memory;                     ///< of reading and building
   double m_read_cpu_s = 0.0, m_build_cpu_s = 0.0;  ///< that no plan has yet
 };

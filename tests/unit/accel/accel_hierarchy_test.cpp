@@ -30,12 +30,12 @@ bool same_bits(double a, double b) {
 class UnitCoreHierarchy : public ::testing::TestWithParam<TestScene> {};
 
 void expect_same(const Hierarchy& list, const Hierarchy& tree, const Ray& ray, double t_min,
-                 double t_max, HitArena& arena, int& found) {
+                 double t_max, HitLists& lists, int& found) {
   for (const RayKind kind :
        {RayKind::kCamera, RayKind::kTransmitted, RayKind::kReflection, RayKind::kShadow}) {
     Hit a, b;
-    const bool hit = list.nearest(ray, t_min, t_max, kind, a, arena, nullptr);
-    ASSERT_EQ(tree.nearest(ray, t_min, t_max, kind, b, arena, nullptr), hit);
+    const bool hit = list.nearest(ray, t_min, t_max, kind, a, lists, nullptr);
+    ASSERT_EQ(tree.nearest(ray, t_min, t_max, kind, b, lists, nullptr), hit);
     if (!hit) continue;
     ++found;
     ASSERT_TRUE(same_bits(a.t, b.t)) << a.t << " " << b.t;
@@ -45,16 +45,16 @@ void expect_same(const Hierarchy& list, const Hierarchy& tree, const Ray& ray, d
     ASSERT_TRUE(same_bits(a.shape.t, b.shape.t) && same_bits(a.shape.u, b.shape.u) &&
                 same_bits(a.shape.v, b.shape.v));
   }
-  const Object* blocker = tree.any_opaque(ray, t_min, t_max, arena, nullptr);
-  ASSERT_EQ(list.any_opaque(ray, t_min, t_max, arena, nullptr) != nullptr, blocker != nullptr);
+  const Object* blocker = tree.any_opaque(ray, t_min, t_max, lists, nullptr);
+  ASSERT_EQ(list.any_opaque(ray, t_min, t_max, lists, nullptr) != nullptr, blocker != nullptr);
   if (blocker) {
     ASSERT_TRUE(blocker->is_opaque());
     ASSERT_FALSE(blocker->attributes().no_shadow);
-    ASSERT_TRUE(blocker->any(ray, t_min, t_max, {arena, RayKind::kShadow}));
+    ASSERT_TRUE(blocker->any(ray, t_min, t_max, {lists, RayKind::kShadow}));
   }
   std::vector<Hit> all_list, all_tree;
-  list.all_transparent(ray, t_min, t_max, false, all_list, arena, nullptr);
-  tree.all_transparent(ray, t_min, t_max, false, all_tree, arena, nullptr);
+  list.all_transparent(ray, t_min, t_max, false, all_list, lists, nullptr);
+  tree.all_transparent(ray, t_min, t_max, false, all_tree, lists, nullptr);
   const auto before = [](const Hit& x, const Hit& y) {
     return x.t != y.t ? x.t < y.t : std::less<>()(x.object, y.object);
   };
@@ -74,7 +74,7 @@ TEST_P(UnitCoreHierarchy, AnswersAsThePlainListDoes) {
   const Objects objects = make.objects(150);
   const Hierarchy list(objects, Accelerator::kList), tree(objects),
       portable(objects, Accelerator::kBvh, true), grid(objects, Accelerator::kGrid);
-  HitArena arena;
+  HitLists lists;
   int found = 0;
   constexpr int kRays = 10000;
   for (int i = 0; i < kRays; ++i) {
@@ -83,11 +83,11 @@ TEST_P(UnitCoreHierarchy, AnswersAsThePlainListDoes) {
     const double t_min = i % 4 == 0 ? 1e-4 * setup.detail / way : 0.0;
     const double t_max = i % 4 == 1 ? setup.scale * make.unit() / way : Bounds::kInf;
     SCOPED_TRACE("ray " + std::to_string(i));
-    expect_same(list, tree, ray, t_min, t_max, arena, found);
+    expect_same(list, tree, ray, t_min, t_max, lists, found);
     if (HasFatalFailure()) return;
-    expect_same(list, grid, ray, t_min, t_max, arena, found);
+    expect_same(list, grid, ray, t_min, t_max, lists, found);
     if (HasFatalFailure()) return;
-    if (i % 4 == 0) expect_same(list, portable, ray, t_min, t_max, arena, found);
+    if (i % 4 == 0) expect_same(list, portable, ray, t_min, t_max, lists, found);
     if (HasFatalFailure()) return;
   }
   EXPECT_GT(found, kRays / 20);  // the scene is not missed
@@ -119,20 +119,20 @@ TEST(UnitCoreHierarchyRules, EqualDistancesGoToTheObjectFirstInTheScene) {
     }
     for (const bool portable : {false, true}) {
       const Hierarchy tree(objects, Accelerator::kBvh, portable);
-      HitArena arena;
+      HitLists lists;
       Hit hit;
       ASSERT_TRUE(
-          tree.nearest({{0, 0, 0}, {0, 0, 1}}, 0, 100, RayKind::kCamera, hit, arena, nullptr));
+          tree.nearest({{0, 0, 0}, {0, 0, 1}}, 0, 100, RayKind::kCamera, hit, lists, nullptr));
       EXPECT_EQ(hit.t, 4.0);
       EXPECT_EQ(hit.object, objects.front().get());
       // The limit itself is not reached.
       EXPECT_FALSE(
-          tree.nearest({{0, 0, 0}, {0, 0, 1}}, 0, 4.0, RayKind::kCamera, hit, arena, nullptr));
+          tree.nearest({{0, 0, 0}, {0, 0, 1}}, 0, 4.0, RayKind::kCamera, hit, lists, nullptr));
       for (auto& o : objects) o->set_opaque(true);
       const Hierarchy opaque(objects, Accelerator::kBvh, portable);
-      EXPECT_EQ(opaque.any_opaque({{0, 0, 0}, {0, 0, 1}}, 0, 4.0, arena, nullptr), nullptr);
-      EXPECT_NE(opaque.any_opaque({{0, 0, 0}, {0, 0, 1}}, 0, 4.1, arena, nullptr), nullptr);
-      EXPECT_NE(opaque.any_opaque({{0, 0, 0}, {0, 0, 1}}, 4.0, 6.1, arena, nullptr), nullptr);
+      EXPECT_EQ(opaque.any_opaque({{0, 0, 0}, {0, 0, 1}}, 0, 4.0, lists, nullptr), nullptr);
+      EXPECT_NE(opaque.any_opaque({{0, 0, 0}, {0, 0, 1}}, 0, 4.1, lists, nullptr), nullptr);
+      EXPECT_NE(opaque.any_opaque({{0, 0, 0}, {0, 0, 1}}, 4.0, 6.1, lists, nullptr), nullptr);
     }
   }
 }
@@ -146,14 +146,14 @@ TEST(UnitCoreHierarchyRules, CountsBoxesAndTestsByType) {
   objects.push_back(
       std::make_unique<Leaf>(std::make_unique<Plane>(Vec3{0, 1, 0}, -2), Transform()));
   const Hierarchy tree(objects), list(objects, Accelerator::kList);
-  HitArena arena;
+  HitLists lists;
   Hit hit;
   Counters counted, in_list;
   const Ray ray{{0, 5, 0}, {0, -1, 0}};
   for (int i = 0; i < 2; ++i) {
-    ASSERT_TRUE(tree.nearest(ray, 0, 100, RayKind::kCamera, hit, arena, &counted));
+    ASSERT_TRUE(tree.nearest(ray, 0, 100, RayKind::kCamera, hit, lists, &counted));
   }
-  ASSERT_TRUE(list.nearest(ray, 0, 100, RayKind::kCamera, hit, arena, &in_list));
+  ASSERT_TRUE(list.nearest(ray, 0, 100, RayKind::kCamera, hit, lists, &in_list));
   EXPECT_EQ(counted.tests_by_type.at("plane"), 2u);
   EXPECT_GE(counted.tests_by_type.at("sphere"), 2u);
   EXPECT_LE(counted.tests_by_type.at("sphere"), 2u * 4);
@@ -185,19 +185,19 @@ TEST(UnitCoreHierarchyRules, PlanesTieAndEndAsOtherObjectsDo) {
       objects.push_back(plane(-1, false));
       objects.push_back(plane(-1, true));
       const Hierarchy tree(objects, accelerator);
-      HitArena arena;
+      HitLists lists;
       Hit hit;
       const Ray down{{0, 0, 0}, {0, -1, 0}};
-      ASSERT_TRUE(tree.nearest(down, 0, 3, RayKind::kCamera, hit, arena, nullptr));
+      ASSERT_TRUE(tree.nearest(down, 0, 3, RayKind::kCamera, hit, lists, nullptr));
       EXPECT_EQ(hit.t, 2.0);
       EXPECT_EQ(hit.object, objects.front().get());
       EXPECT_EQ(hit.leaf, objects.front().get());
-      EXPECT_FALSE(tree.nearest(down, 0, 2, RayKind::kCamera, hit, arena, nullptr));
-      EXPECT_FALSE(tree.nearest(down, 2, 9, RayKind::kCamera, hit, arena, nullptr));
+      EXPECT_FALSE(tree.nearest(down, 0, 2, RayKind::kCamera, hit, lists, nullptr));
+      EXPECT_FALSE(tree.nearest(down, 2, 9, RayKind::kCamera, hit, lists, nullptr));
       const Ray along{{0, 0, 0}, {1, 0, 0}};
-      EXPECT_FALSE(tree.nearest(along, 0, Bounds::kInf, RayKind::kCamera, hit, arena, nullptr));
-      EXPECT_EQ(tree.any_opaque(down, 0, 2, arena, nullptr), nullptr);
-      EXPECT_NE(tree.any_opaque(down, 0, 2.1, arena, nullptr), nullptr);
+      EXPECT_FALSE(tree.nearest(along, 0, Bounds::kInf, RayKind::kCamera, hit, lists, nullptr));
+      EXPECT_EQ(tree.any_opaque(down, 0, 2, lists, nullptr), nullptr);
+      EXPECT_NE(tree.any_opaque(down, 0, 2.1, lists, nullptr), nullptr);
     }
   }
 }
@@ -211,19 +211,19 @@ TEST(UnitCoreHierarchyRules, AGridWalksAlongTheRay) {
   const Hierarchy grid(objects, Accelerator::kGrid), list(objects, Accelerator::kList);
   EXPECT_GT(grid.statistics().cells, 1000u);
   EXPECT_EQ(list.statistics().cells, 0u);
-  HitArena arena;
+  HitLists lists;
   Hit hit;
   Counters through, beside, all;
   ASSERT_TRUE(
-      grid.nearest({{-5, 3, 3}, {1, 0, 0}}, 0, 100, RayKind::kCamera, hit, arena, &through));
+      grid.nearest({{-5, 3, 3}, {1, 0, 0}}, 0, 100, RayKind::kCamera, hit, lists, &through));
   EXPECT_EQ(hit.t, 4.0);
   EXPECT_LT(through.bounds_tests, 20u);  // it ends in the cell of the hit
   ASSERT_FALSE(
-      grid.nearest({{-5, 4.5, 4.5}, {1, 0, 0}}, 0, 100, RayKind::kCamera, hit, arena, &beside));
+      grid.nearest({{-5, 4.5, 4.5}, {1, 0, 0}}, 0, 100, RayKind::kCamera, hit, lists, &beside));
   EXPECT_GT(beside.bounds_tests, through.bounds_tests);
   EXPECT_LT(beside.bounds_tests, 200u);
   ASSERT_FALSE(
-      list.nearest({{-5, 4.5, 4.5}, {1, 0, 0}}, 0, 100, RayKind::kCamera, hit, arena, &all));
+      list.nearest({{-5, 4.5, 4.5}, {1, 0, 0}}, 0, 100, RayKind::kCamera, hit, lists, &all));
   EXPECT_EQ(all.bounds_tests, 1000u);
 }
 

@@ -31,7 +31,7 @@ std::ostream& operator<<(std::ostream& out, const Case& c) { return out << c.sce
 class UnitCoreLightBuffer : public ::testing::TestWithParam<Case> {};
 
 void expect_same_answer(const LightBuffer& buffer, const Hierarchy& hierarchy, const Vec3& light,
-                        const Vec3& point, HitArena& arena, int (&seen)[3]) {
+                        const Vec3& point, HitLists& lists, int (&seen)[3]) {
   const Vec3 to = light - point;
   const double distance = length(to);
   const Ray ray{point, to / distance};
@@ -40,22 +40,22 @@ void expect_same_answer(const LightBuffer& buffer, const Hierarchy& hierarchy, c
   buffer.locate(point, spot);
   if (!buffer.serves(spot, distance) || !(reach > kTolerance)) return;
   const LightBuffer::Answer answer =
-      buffer.any_opaque(spot, ray, kTolerance, reach, arena, nullptr);
+      buffer.any_opaque(spot, ray, kTolerance, reach, lists, nullptr);
   const Object* blocker = answer.blocker;
-  const Object* expected = hierarchy.any_opaque(ray, kTolerance, reach, arena, nullptr);
+  const Object* expected = hierarchy.any_opaque(ray, kTolerance, reach, lists, nullptr);
   ASSERT_EQ(blocker != nullptr, expected != nullptr)
       << point.x << ", " << point.y << ", " << point.z;
   if (blocker) {
     ++seen[0];
     ASSERT_TRUE(blocker->is_opaque());
     ASSERT_FALSE(blocker->attributes().no_shadow);
-    ASSERT_TRUE(blocker->any(ray, kTolerance, reach, {arena, RayKind::kShadow}));
+    ASSERT_TRUE(blocker->any(ray, kTolerance, reach, {lists, RayKind::kShadow}));
     return;
   }
   ++seen[1];
   std::vector<Hit> ours, all;
-  buffer.all_transparent(spot, ray, kTolerance, reach, false, ours, arena, nullptr);
-  hierarchy.all_transparent(ray, kTolerance, reach, false, all, arena, nullptr);
+  buffer.all_transparent(spot, ray, kTolerance, reach, false, ours, lists, nullptr);
+  hierarchy.all_transparent(ray, kTolerance, reach, false, all, lists, nullptr);
   const auto before = [](const Hit& a, const Hit& b) {
     return a.t != b.t ? a.t < b.t : std::less<>()(a.object, b.object);
   };
@@ -107,15 +107,15 @@ TEST_P(UnitCoreLightBuffer, AnswersAsTheHierarchy) {
   const Hierarchy hierarchy(objects);
   const LightBuffer buffer(c.light, objects, kTolerance, c.cells);
   ASSERT_FALSE(buffer.crowded());
-  HitArena arena;
+  HitLists lists;
   int seen[3] = {};
   for (int i = 0; i < 20000; ++i) {
-    expect_same_answer(buffer, hierarchy, c.light, make.place(), arena, seen);
+    expect_same_answer(buffer, hierarchy, c.light, make.place(), lists, seen);
     // Points on surfaces: shadow rays start there.
     const Ray ray = make.ray();
     Hit hit;
-    if (hierarchy.nearest(ray, 0.0, Bounds::kInf, RayKind::kCamera, hit, arena, nullptr)) {
-      expect_same_answer(buffer, hierarchy, c.light, ray.at(hit.t), arena, seen);
+    if (hierarchy.nearest(ray, 0.0, Bounds::kInf, RayKind::kCamera, hit, lists, nullptr)) {
+      expect_same_answer(buffer, hierarchy, c.light, ray.at(hit.t), lists, seen);
     }
     if (HasFatalFailure()) return;
   }
@@ -162,12 +162,12 @@ TEST(UnitCoreLightBufferRules, PlatesNearTheTolerance) {
     objects.push_back(plate(5.0 - gap, 0.01));  // about the light
     const Hierarchy hierarchy(objects);
     const LightBuffer buffer(light, objects, kTolerance, 4096);
-    HitArena arena;
+    HitLists lists;
     int seen[3] = {};
     for (int i = -30; i <= 30; ++i) {
       for (int k = -30; k <= 30; ++k) {
-        expect_same_answer(buffer, hierarchy, light, {i / 20.0, 0.0, k / 20.0}, arena, seen);
-        expect_same_answer(buffer, hierarchy, light, {i / 20.0, gap, k / 20.0}, arena, seen);
+        expect_same_answer(buffer, hierarchy, light, {i / 20.0, 0.0, k / 20.0}, lists, seen);
+        expect_same_answer(buffer, hierarchy, light, {i / 20.0, gap, k / 20.0}, lists, seen);
         if (HasFatalFailure()) return;
       }
     }
@@ -182,7 +182,7 @@ TEST(UnitCoreLightBufferRules, CoveredCellsNeedNoTest) {
   const LightBuffer buffer({0, 5, 0}, objects, kTolerance, 60000);
   EXPECT_GT(buffer.statistics().dark_cells, buffer.statistics().cells / 8);
   Counters counters;
-  HitArena arena;
+  HitLists lists;
   int blocked = 0, tested = 0;
   for (int i = -20; i <= 20; ++i) {
     for (int k = -20; k <= 20; ++k) {
@@ -192,7 +192,7 @@ TEST(UnitCoreLightBufferRules, CoveredCellsNeedNoTest) {
       counters.primitive_tests = 0;
       LightBuffer::Spot spot;
       buffer.locate(point, spot);
-      if (!buffer.any_opaque(spot, ray, kTolerance, length(to) - kTolerance, arena, &counters)
+      if (!buffer.any_opaque(spot, ray, kTolerance, length(to) - kTolerance, lists, &counters)
                .blocker) {
         continue;
       }

@@ -67,10 +67,10 @@ class Edges {
     LightBuffer::Spot spot;
     m_buffer->locate(point, spot);
     if (!m_buffer->serves(spot, distance) || !(reach > m_tolerance)) return false;
-    const bool expected = m_objects[0]->any(ray, m_tolerance, reach, {m_arena, RayKind::kShadow});
+    const bool expected = m_objects[0]->any(ray, m_tolerance, reach, {m_lists, RayKind::kShadow});
     Counters counters;
     const Object* found =
-        m_buffer->any_opaque(spot, ray, m_tolerance, reach, m_arena, &counters).blocker;
+        m_buffer->any_opaque(spot, ray, m_tolerance, reach, m_lists, &counters).blocker;
     EXPECT_EQ(found != nullptr, expected)
         << "lost at " << point.x << " " << point.y << " " << point.z;
     if (!expected && spot.cell) {
@@ -85,7 +85,7 @@ class Edges {
   double m_size, m_tolerance;
   std::vector<std::unique_ptr<Object>> m_objects;
   std::unique_ptr<LightBuffer> m_buffer;
-  HitArena m_arena;
+  HitLists m_lists;
   int m_edges = 0, m_lit = 0, m_lit_tested = 0;
 };
 

@@ -1,5 +1,6 @@
 // Views of lens sheets: which column of a lens a view has, the rays of views of any size, quilts.
 #include <gtest/gtest.h>
+#include <array>
 
 #include <cmath>
 #include <cstdlib>

@@ -260,7 +260,8 @@ TEST(UnitBuildScene, GlobalLightIsRendered) {
   SceneText s(
       "sphere { 0, 1 finish { subsurface { translucency 1 } } }"
       "global_settings { subsurface { } radiosity { } photons { count 100 } }");
-  EXPECT_TRUE(s.build().not_rendered.empty());
+  s.build();
+  EXPECT_TRUE(s.report.not_rendered.empty());
 }
 
 /// What stock writes for rgb 0.5 tells its working gamma: 128 without, 188 with assumed_gamma 1.

@@ -39,7 +39,7 @@ class SceneText {
 
   core::SceneParts build() {
     SceneDesc used_up = scene;
-    core::SceneParts parts = build_scene(used_up, m_diagnostics);
+    core::SceneParts parts = build_scene(used_up, m_diagnostics, {}, &report);
     for (const auto& object : parts.objects) object->complete();
     return parts;
   }
@@ -58,6 +58,7 @@ class SceneText {
   const SourceManager& sources() const { return m_sources; }
 
   SceneDesc scene;
+  BuildReport report;  ///< of build()
 
  private:
   SourceManager m_sources;

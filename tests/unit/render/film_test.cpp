@@ -133,9 +133,9 @@ std::unique_ptr<Scene> disc_scene(float ambient) {
   layer.finish = std::make_shared<Finish>(finish);
   parts.textures.push_back(std::make_shared<LayeredTexture>(std::vector{layer}));
   auto leaf = std::make_unique<Leaf>(std::make_unique<Sphere>(Vec3{0, 0, 0}, 1.3), Transform());
-  Attributes looks;
-  looks.texture = parts.textures.front().get();
-  leaf->set_attributes(looks);
+  Attributes attributes;
+  attributes.texture = parts.textures.front().get();
+  leaf->set_attributes(attributes);
   parts.objects.push_back(std::move(leaf));
   return std::make_unique<Scene>(std::move(parts), CompileOptions{});
 }

@@ -127,13 +127,13 @@ TEST_P(UnitBallOfShape, HoldsAllThatIsMet) {
     const Vec3 middle = box.centre();
     const double reach = length(box.hi - box.lo);
     Rays rays;
-    core::HitArena arena;
+    core::HitLists lists;
     std::vector<core::Hit> found;
     for (int i = 0; i < 1500; ++i) {
       const Ray ray =
           rays.between(middle + rays.point(2.0 * reach), middle + rays.point(0.6 * reach));
       found.clear();
-      plain.all(ray, 1e-6, Bounds::kInf, found, {arena, core::RayKind::kShadow});
+      plain.all(ray, 1e-6, Bounds::kInf, found, {lists, core::RayKind::kShadow});
       for (const core::Hit& hit : found) {
         EXPECT_FALSE(ball.is_missed_by(ray)) << sdl;
         // What extends beyond bounded_by is met by rays that pass through that, and a parametric's

@@ -38,7 +38,7 @@ TEST_P(UnitCsgCore, SparesWorkAlone) {
       std::string("object { ") + GetParam() + " rotate <0,10,0> translate <.1,0,.2> }";
   SceneText one(sdl), other(sdl);
   const core::SceneParts usual = one.build(), plain = other.build();
-  core::HitArena arena;
+  core::HitLists lists;
   std::mt19937 random(5);
   std::normal_distribution<double> normal;
   const auto point = [&] { return Vec3{normal(random), normal(random), normal(random)}; };
@@ -54,8 +54,8 @@ TEST_P(UnitCsgCore, SparesWorkAlone) {
       if (i % 10 == 0) way = normalized(Vec3{way.x, 0.0, way.z});
       const Ray ray{from, way};
       std::vector<Hit> found, expected;
-      shorter.all(ray, 1e-6, Bounds::kInf, found, {arena, core::RayKind::kShadow});
-      longer.all(ray, 1e-6, Bounds::kInf, expected, {arena, core::RayKind::kShadow});
+      shorter.all(ray, 1e-6, Bounds::kInf, found, {lists, core::RayKind::kShadow});
+      longer.all(ray, 1e-6, Bounds::kInf, expected, {lists, core::RayKind::kShadow});
       const auto nearer = [](const Hit& a, const Hit& b) { return a.t < b.t; };
       std::sort(found.begin(), found.end(), nearer);
       std::sort(expected.begin(), expected.end(), nearer);
@@ -65,11 +65,11 @@ TEST_P(UnitCsgCore, SparesWorkAlone) {
       const double to = i % 2 == 0 ? Bounds::kInf : 1.5;
       Hit first, expected_first;
       const bool is_met =
-          longer.nearest(ray, 1e-6, to, expected_first, {arena, core::RayKind::kShadow});
-      ASSERT_EQ(shorter.nearest(ray, 1e-6, to, first, {arena, core::RayKind::kShadow}), is_met)
+          longer.nearest(ray, 1e-6, to, expected_first, {lists, core::RayKind::kShadow});
+      ASSERT_EQ(shorter.nearest(ray, 1e-6, to, first, {lists, core::RayKind::kShadow}), is_met)
           << i;
       ASSERT_EQ(first.t, expected_first.t) << i;
-      ASSERT_EQ(shorter.any(ray, 1e-6, to, {arena, core::RayKind::kShadow}), is_met) << i;
+      ASSERT_EQ(shorter.any(ray, 1e-6, to, {lists, core::RayKind::kShadow}), is_met) << i;
     }
   }
   EXPECT_GT(met, 1000);

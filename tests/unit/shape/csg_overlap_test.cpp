@@ -50,9 +50,9 @@ std::unique_ptr<Csg> overlap_column(CsgKind kind, bool inverse_parts) {
 }
 
 template <class Asked>
-std::vector<double> sorted_distances(const Asked& object, const Ray& ray, HitArena& arena) {
+std::vector<double> sorted_distances(const Asked& object, const Ray& ray, HitLists& lists) {
   std::vector<Hit> hits;
-  object.all(ray, 1e-6, 100.0, hits, {arena, RayKind::kShadow});
+  object.all(ray, 1e-6, 100.0, hits, {lists, RayKind::kShadow});
   std::vector<double> t;
   for (const Hit& hit : hits) t.push_back(hit.t);
   std::sort(t.begin(), t.end());
@@ -65,7 +65,7 @@ void expect_overlap_answers(CsgKind kind, bool inverse_parts) {
   const PlainObject plain(*parts);
   std::mt19937 random(7);
   std::uniform_real_distribution<double> place(-3.0, 3.0), part(-0.7, 0.7);
-  HitArena arena;
+  HitLists lists;
   int met = 0, from_inside = 0;
   for (int i = 0; i < 1500; ++i) {
     const bool inside = i % 4 == 0;
@@ -75,16 +75,16 @@ void expect_overlap_answers(CsgKind kind, bool inverse_parts) {
     const Ray ray{from, to - from};
     const double limit = i % 3 == 0 ? 1.0 : 100.0;
     Hit a, b;
-    const bool found = quick->nearest(ray, 1e-6, limit, a, {arena, RayKind::kShadow});
-    ASSERT_EQ(found, plain.nearest(ray, 1e-6, limit, b, {arena, RayKind::kShadow})) << i;
-    ASSERT_EQ(found, quick->any(ray, 1e-6, limit, {arena, RayKind::kShadow})) << i;
+    const bool found = quick->nearest(ray, 1e-6, limit, a, {lists, RayKind::kShadow});
+    ASSERT_EQ(found, plain.nearest(ray, 1e-6, limit, b, {lists, RayKind::kShadow})) << i;
+    ASSERT_EQ(found, quick->any(ray, 1e-6, limit, {lists, RayKind::kShadow})) << i;
     if (found) {
       ASSERT_EQ(a.t, b.t) << i;
       ASSERT_EQ(a.shape.element, b.shape.element) << i;
       ++met;
       if (quick->inside(from)) ++from_inside;
     }
-    ASSERT_EQ(sorted_distances(*quick, ray, arena), sorted_distances(plain, ray, arena)) << i;
+    ASSERT_EQ(sorted_distances(*quick, ray, lists), sorted_distances(plain, ray, lists)) << i;
   }
   EXPECT_GT(met, 400);
   if (!inverse_parts) {

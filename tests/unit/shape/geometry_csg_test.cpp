@@ -37,9 +37,9 @@ std::unique_ptr<Object> geometry_csg_csg(CsgKind kind, Objects... objects) {
 }
 
 std::vector<double> depths(const Object& object, const Ray& ray) {
-  HitArena arena;
+  HitLists lists;
   std::vector<Hit> hits;
-  object.all(ray, 0.0, kGeometryCsgInf, hits, {arena, RayKind::kShadow});
+  object.all(ray, 0.0, kGeometryCsgInf, hits, {lists, RayKind::kShadow});
   std::vector<double> t;
   for (const Hit& h : hits) t.push_back(h.t);
   std::sort(t.begin(), t.end());
@@ -88,14 +88,14 @@ TEST(UnitCoreCsg, SurfacesLieExactlyWhereInsideChanges) {
     const auto object = random_tree(random, 3);
     const Bounds box = object->bounds(), solid = object->solid_bounds(),
                  hollow = object->void_bounds();
-    HitArena arena;
+    HitLists lists;
     for (int k = 0; k < 40; ++k) {
       const Ray ray = random.ray(4.0, 1.0);
       std::vector<double> t = depths(*object, ray);
       Hit first;
-      ASSERT_EQ(object->nearest(ray, 0.0, kGeometryCsgInf, first, {arena, RayKind::kShadow}),
+      ASSERT_EQ(object->nearest(ray, 0.0, kGeometryCsgInf, first, {lists, RayKind::kShadow}),
                 !t.empty());
-      EXPECT_EQ(object->any(ray, 0.0, kGeometryCsgInf, {arena, RayKind::kShadow}), !t.empty());
+      EXPECT_EQ(object->any(ray, 0.0, kGeometryCsgInf, {lists, RayKind::kShadow}), !t.empty());
       if (!t.empty()) {
         EXPECT_EQ(first.t, t[0]);
       }
@@ -152,10 +152,10 @@ TEST(UnitCoreCsg, DifferenceFromAUnionHasNoWallsInItsHole) {
 TEST(UnitCoreCsg, NormalsOfInvertedPartsPointIntoTheHole) {
   const auto object = geometry_csg_csg(CsgKind::kDifference, leaf<Box>(Vec3(-5.0), Vec3(5.0)),
                                        leaf<Sphere>(Vec3{}, 1.0));
-  HitArena arena;
+  HitLists lists;
   Hit hit;
   const Ray ray{{0, 0, 0}, {1, 0, 0}};
-  ASSERT_TRUE(object->nearest(ray, 0, kGeometryCsgInf, hit, {arena, RayKind::kShadow}));
+  ASSERT_TRUE(object->nearest(ray, 0, kGeometryCsgInf, hit, {lists, RayKind::kShadow}));
   EXPECT_EQ(hit.leaf->normal(ray.at(hit.t), hit.shape), (Vec3{-1, 0, 0}));
 }
 
@@ -196,10 +196,10 @@ TEST(UnitCoreCsg, ManyChildrenMatchFew) {
       ASSERT_EQ(depths(wide, ray), depths(*nested, ray));
       const Vec3 p = random.vector(1.2);
       ASSERT_EQ(wide.inside(p), nested->inside(p));
-      HitArena arena;
+      HitLists lists;
       Hit a, b;
-      ASSERT_EQ(wide.nearest(ray, 0.0, kGeometryCsgInf, a, {arena, RayKind::kShadow}),
-                nested->nearest(ray, 0.0, kGeometryCsgInf, b, {arena, RayKind::kShadow}));
+      ASSERT_EQ(wide.nearest(ray, 0.0, kGeometryCsgInf, a, {lists, RayKind::kShadow}),
+                nested->nearest(ray, 0.0, kGeometryCsgInf, b, {lists, RayKind::kShadow}));
       EXPECT_EQ(a.t, b.t);
     }
   }
@@ -215,10 +215,10 @@ TEST(UnitCoreCsg, TiesGoToTheLastChild) {
     const Object* last = children[1].get();
     Csg object(CsgKind::kUnion, std::move(children));
     object.complete();
-    HitArena arena;
+    HitLists lists;
     Hit hit;
     ASSERT_TRUE(object.nearest({{0, 0, -5}, {0, 0, 1}}, 0, kGeometryCsgInf, hit,
-                               {arena, RayKind::kShadow}));
+                               {lists, RayKind::kShadow}));
     EXPECT_EQ(hit.leaf, last);
   }
 }
@@ -228,16 +228,16 @@ TEST(UnitCoreClipping, KeepsSurfacesWithinAndCountsForInside) {
   sphere->set_clips(
       {std::shared_ptr<const Object>(leaf<Plane>(Vec3{0, 0, -1}, 0.0))});  // keeps z >= 0
   EXPECT_EQ(depths(*sphere, {{0, 0, -5}, {0, 0, 1}}), (std::vector<double>{6}));
-  HitArena arena;
+  HitLists lists;
   Hit hit;
   ASSERT_TRUE(
-      sphere->nearest({{0, 0, -5}, {0, 0, 1}}, 0, kGeometryCsgInf, hit, {arena, RayKind::kShadow}));
+      sphere->nearest({{0, 0, -5}, {0, 0, 1}}, 0, kGeometryCsgInf, hit, {lists, RayKind::kShadow}));
   EXPECT_DOUBLE_EQ(hit.t, 6.0);
   EXPECT_TRUE(sphere->inside({0, 0, 0.5}));
   EXPECT_FALSE(sphere->inside({0, 0, -0.5}));
   EXPECT_NEAR(sphere->bounds().lo.z, 0.0, 1e-9);
-  EXPECT_FALSE(sphere->any({{0, 0, -5}, {0, 0, 1}}, 0, 5.5, {arena, RayKind::kShadow}));
-  EXPECT_FALSE(sphere->nearest({{0, 0, -5}, {0, 0, 1}}, 0, 5.5, hit, {arena, RayKind::kShadow}));
+  EXPECT_FALSE(sphere->any({{0, 0, -5}, {0, 0, 1}}, 0, 5.5, {lists, RayKind::kShadow}));
+  EXPECT_FALSE(sphere->nearest({{0, 0, -5}, {0, 0, 1}}, 0, 5.5, hit, {lists, RayKind::kShadow}));
   EXPECT_DOUBLE_EQ(hit.t, 6.0);
 
   auto pair = geometry_csg_csg(CsgKind::kUnion, leaf<Sphere>(Vec3{0, 0, 0}, 1.0),
@@ -246,10 +246,10 @@ TEST(UnitCoreClipping, KeepsSurfacesWithinAndCountsForInside) {
       {std::shared_ptr<const Object>(leaf<Plane>(Vec3{0, 0, -1}, -4.5))});  // keeps z >= 4.5
   EXPECT_EQ(depths(*pair, {{0, 0, -5}, {0, 0, 1}}), (std::vector<double>{11}));
   ASSERT_TRUE(
-      pair->nearest({{0, 0, -5}, {0, 0, 1}}, 0, kGeometryCsgInf, hit, {arena, RayKind::kShadow}));
+      pair->nearest({{0, 0, -5}, {0, 0, 1}}, 0, kGeometryCsgInf, hit, {lists, RayKind::kShadow}));
   EXPECT_DOUBLE_EQ(hit.t, 11.0);
   // Without a hit in the range the caller's stays as it was.
-  EXPECT_FALSE(pair->nearest({{0, 0, -5}, {0, 0, 1}}, 0, 10.5, hit, {arena, RayKind::kShadow}));
+  EXPECT_FALSE(pair->nearest({{0, 0, -5}, {0, 0, 1}}, 0, 10.5, hit, {lists, RayKind::kShadow}));
   EXPECT_DOUBLE_EQ(hit.t, 11.0);
 }
 
@@ -258,20 +258,20 @@ TEST(UnitCoreClipping, InverseClipsAndInfiniteObjects) {
   auto clip = leaf<Sphere>(Vec3{}, 2.0);
   plane->set_clips({std::shared_ptr<const Object>(std::move(clip))});
   EXPECT_TRUE(plane->bounds().is_finite());
-  HitArena arena;
+  HitLists lists;
   Hit hit;
   EXPECT_TRUE(
-      plane->nearest({{1, 5, 0}, {0, -1, 0}}, 0, kGeometryCsgInf, hit, {arena, RayKind::kShadow}));
+      plane->nearest({{1, 5, 0}, {0, -1, 0}}, 0, kGeometryCsgInf, hit, {lists, RayKind::kShadow}));
   EXPECT_FALSE(
-      plane->nearest({{3, 5, 0}, {0, -1, 0}}, 0, kGeometryCsgInf, hit, {arena, RayKind::kShadow}));
+      plane->nearest({{3, 5, 0}, {0, -1, 0}}, 0, kGeometryCsgInf, hit, {lists, RayKind::kShadow}));
   auto hole = leaf<Sphere>(Vec3{}, 2.0);
   hole->set_inverse(true);
   plane->set_clips({std::shared_ptr<const Object>(std::move(hole))});
   EXPECT_FALSE(plane->bounds().is_finite());
   EXPECT_FALSE(
-      plane->nearest({{1, 5, 0}, {0, -1, 0}}, 0, kGeometryCsgInf, hit, {arena, RayKind::kShadow}));
+      plane->nearest({{1, 5, 0}, {0, -1, 0}}, 0, kGeometryCsgInf, hit, {lists, RayKind::kShadow}));
   EXPECT_TRUE(
-      plane->nearest({{3, 5, 0}, {0, -1, 0}}, 0, kGeometryCsgInf, hit, {arena, RayKind::kShadow}));
+      plane->nearest({{3, 5, 0}, {0, -1, 0}}, 0, kGeometryCsgInf, hit, {lists, RayKind::kShadow}));
 }
 
 std::unique_ptr<Object> gated_by_box(std::unique_ptr<Object> content, const Vec3& lo,
@@ -282,16 +282,16 @@ std::unique_ptr<Object> gated_by_box(std::unique_ptr<Object> content, const Vec3
 
 TEST(UnitCoreGated, RaysThatMissAGateMissTheContent) {
   const auto sphere = gated_by_box(leaf<Sphere>(Vec3{}, 1.0), {-2, 0, -2}, {2, 2, 2});
-  HitArena arena;
+  HitLists lists;
   Hit hit;
   EXPECT_TRUE(sphere->nearest({{0, 0.5, -5}, {0, 0, 1}}, 0, kGeometryCsgInf, hit,
-                              {arena, RayKind::kShadow}));
+                              {lists, RayKind::kShadow}));
   EXPECT_FALSE(sphere->nearest({{0, -0.5, -5}, {0, 0, 1}}, 0, kGeometryCsgInf, hit,
-                               {arena, RayKind::kShadow}));
+                               {lists, RayKind::kShadow}));
   EXPECT_FALSE(
-      sphere->any({{0, -0.5, -5}, {0, 0, 1}}, 0, kGeometryCsgInf, {arena, RayKind::kShadow}));
+      sphere->any({{0, -0.5, -5}, {0, 0, 1}}, 0, kGeometryCsgInf, {lists, RayKind::kShadow}));
   EXPECT_TRUE(sphere->nearest({{0, 0.5, 0}, {0, -1, 0}}, 0, kGeometryCsgInf, hit,
-                              {arena, RayKind::kShadow}));  // starts inside it
+                              {lists, RayKind::kShadow}));  // starts inside it
   EXPECT_TRUE(sphere->inside({0, -0.5, 0}));
 }
 

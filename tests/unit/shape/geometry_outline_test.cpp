@@ -230,17 +230,17 @@ TEST(UnitGeometryClips, TheNearestOfAPolynomialIsTheFirstOfAllThatAreKept) {
   Leaf leaf(std::make_unique<Poly>("cubic", 3, c), Transform());
   leaf.set_clips({std::make_shared<Leaf>(std::make_unique<Sphere>(Vec3{}, 1.0), Transform())});
   leaf.search_within_clips();
-  HitArena arena;
+  HitLists lists;
   int met = 0;
   for (int i = 0; i < 20000; ++i) {
     const Ray ray{{random.in(-3, 3), random.in(-3, 3), random.in(-3, 3)},
                   {random.in(-1, 1), random.in(-1, 1), random.in(-1, 1)}};
     std::vector<Hit> all;
-    leaf.all(ray, 0.0, Bounds::kInf, all, {arena, RayKind::kShadow});
+    leaf.all(ray, 0.0, Bounds::kInf, all, {lists, RayKind::kShadow});
     double first = Bounds::kInf;
     for (const Hit& hit : all) first = std::min(first, hit.t);
     Hit hit;
-    ASSERT_EQ(leaf.nearest(ray, 0.0, Bounds::kInf, hit, {arena, RayKind::kShadow}), !all.empty());
+    ASSERT_EQ(leaf.nearest(ray, 0.0, Bounds::kInf, hit, {lists, RayKind::kShadow}), !all.empty());
     if (all.empty()) continue;
     ASSERT_EQ(hit.t, first);
     ++met;
@@ -274,14 +274,14 @@ TEST(UnitGeometryClips, APolynomialLosesNoCrossingToTheBallOfItsClips) {
         std::make_shared<Leaf>(std::make_unique<Sphere>(place.point(on), 0.8), Transform());
     clipped.set_clips({clip});
     clipped.search_within_clips();
-    HitArena arena;
+    HitLists lists;
     int met = 0;
     for (int i = 0; i < 8000; ++i) {
       const Ray ray{{random.in(0, 4), random.in(-3, 1), random.in(1, 5)},
                     {random.in(-1, 1), random.in(-1, 1), random.in(-1, 1)}};
       std::vector<Hit> all, kept;
-      whole.all(ray, 1e-6, Bounds::kInf, all, {arena, RayKind::kShadow});
-      clipped.all(ray, 1e-6, Bounds::kInf, kept, {arena, RayKind::kShadow});
+      whole.all(ray, 1e-6, Bounds::kInf, all, {lists, RayKind::kShadow});
+      clipped.all(ray, 1e-6, Bounds::kInf, kept, {lists, RayKind::kShadow});
       std::erase_if(all, [&](const Hit& hit) { return !clip->inside(ray.at(hit.t)); });
       ASSERT_EQ(kept.size(), all.size()) << order << ' ' << i;
       for (std::size_t k = 0; k < kept.size(); ++k)

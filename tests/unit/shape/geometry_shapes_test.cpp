@@ -162,17 +162,17 @@ TEST(UnitCoreShapes, TransformedLeavesMatchTheShapeItself) {
       const Leaf leaf(kind.make(), t);
       const Bounds box = leaf.bounds();
       const auto shape = kind.make();
-      HitArena arena;
+      HitLists lists;
       for (int k = 0; k < 60; ++k) {
         const Ray local = random.ray(5.0, 1.0);
         const Ray world{t.point(local.origin), t.vector(local.direction)};
         ShapeHit expected;
         Hit hit;
         const bool met = shape->nearest(local, 1e-6, kGeometryShapesInf, expected);
-        ASSERT_EQ(leaf.nearest(world, 1e-6, kGeometryShapesInf, hit, {arena, RayKind::kShadow}),
+        ASSERT_EQ(leaf.nearest(world, 1e-6, kGeometryShapesInf, hit, {lists, RayKind::kShadow}),
                   met)
             << kind.name;
-        EXPECT_EQ(leaf.any(world, 1e-6, kGeometryShapesInf, {arena, RayKind::kShadow}), met);
+        EXPECT_EQ(leaf.any(world, 1e-6, kGeometryShapesInf, {lists, RayKind::kShadow}), met);
         EXPECT_EQ(leaf.inside(t.point(local.at(5.0))), shape->inside(local.at(5.0))) << kind.name;
         if (!met) continue;
         EXPECT_NEAR(hit.t, expected.t, 1e-9 * 5.0) << kind.name;
@@ -201,7 +201,7 @@ TEST(UnitCoreShapes, BoundsHoldTheSurfaceAndAreTight) {
       const Bounds box = leaf.bounds();
       ASSERT_TRUE(box.is_finite()) << kind.name;
       Bounds seen;
-      HitArena arena;
+      HitLists lists;
       std::vector<Hit> hits;
       const double far = 3.0 * length(box.hi - box.lo);
       for (int k = 0; k < 4000; ++k) {
@@ -214,7 +214,7 @@ TEST(UnitCoreShapes, BoundsHoldTheSurfaceAndAreTight) {
                            random.in(box.lo.z, box.hi.z)};
         const Ray ray{through - d * far, d};
         hits.clear();
-        leaf.all(ray, 0.0, kGeometryShapesInf, hits, {arena, RayKind::kShadow});
+        leaf.all(ray, 0.0, kGeometryShapesInf, hits, {lists, RayKind::kShadow});
         for (const Hit& h : hits) seen.include(ray.at(h.t));
       }
       const double slack = 1e-11 * far;
@@ -302,7 +302,7 @@ TEST(UnitCoreShapes, ScalesFromTinyToHuge) {
       const Leaf small(kind.make(), Transform::scaling(Vec3(s)));
       const auto shape = kind.make();
       Random random(11);
-      HitArena arena;
+      HitLists lists;
       int differ = 0;
       for (int k = 0; k < 300; ++k) {
         const Ray local = random.ray(5.0, 1.0);
@@ -310,7 +310,7 @@ TEST(UnitCoreShapes, ScalesFromTinyToHuge) {
         ShapeHit expected;
         Hit hit;
         const bool met = shape->nearest(local, 0.0, kGeometryShapesInf, expected);
-        if (small.nearest(ray, 0.0, kGeometryShapesInf, hit, {arena, RayKind::kShadow}) != met) {
+        if (small.nearest(ray, 0.0, kGeometryShapesInf, hit, {lists, RayKind::kShadow}) != met) {
           ++differ;
         } else if (met) {
           EXPECT_NEAR(hit.t / s, expected.t, 1e-9) << kind.name << " " << s;
@@ -328,7 +328,7 @@ TEST(UnitCoreShapes, DetailsFarFromTheOrigin) {
     const Leaf leaf(kind.make(), Transform::translation(away));
     const auto shape = kind.make();
     Random random(12);
-    HitArena arena;
+    HitLists lists;
     int differ = 0, met_count = 0;
     for (int k = 0; k < 500; ++k) {
       const Ray local = random.ray(100.0, 1.0);
@@ -337,7 +337,7 @@ TEST(UnitCoreShapes, DetailsFarFromTheOrigin) {
       const bool met = shape->nearest(local, 0.0, kGeometryShapesInf, expected);
       met_count += met;
       const Ray ray{local.origin + away, local.direction};
-      if (leaf.nearest(ray, 0.0, kGeometryShapesInf, hit, {arena, RayKind::kShadow}) != met) {
+      if (leaf.nearest(ray, 0.0, kGeometryShapesInf, hit, {lists, RayKind::kShadow}) != met) {
         ++differ;
       } else if (met) {
         const Vec3 n = normalized(shape->normal(local.at(expected.t), expected));

@@ -109,7 +109,7 @@ class Sampler {
     const Vec3 way = normalized(Vec3{m_normal(m_random), m_normal(m_random), m_normal(m_random)});
     const Ray ray{at - way * (3.0 * m_reach), way};
     m_found.clear();
-    m_object.all(ray, 1e-6, Bounds::kInf, m_found, {m_arena, core::RayKind::kShadow});
+    m_object.all(ray, 1e-6, Bounds::kInf, m_found, {m_lists, core::RayKind::kShadow});
     for (const core::Hit& hit : m_found) {
       const Vec3 p = ray.at(hit.t);
       for (int axis = 0; axis < 3; ++axis) {
@@ -136,7 +136,7 @@ class Sampler {
   std::uniform_real_distribution<double> m_even{-1.0, 1.0};
   std::normal_distribution<double> m_normal;
   std::vector<core::Hit> m_found;
-  core::HitArena m_arena;
+  core::HitLists m_lists;
 };
 
 class UnitShapeBounds : public ::testing::TestWithParam<ShapeCase> {};

@@ -28,12 +28,12 @@ Seen leave(const std::string& sdl) {
   std::mt19937 random(3);
   std::normal_distribution<double> normal;
   const auto point = [&] { return Vec3{normal(random), normal(random), normal(random)}; };
-  core::HitArena arena;
+  core::HitLists lists;
   Seen seen;
   for (int i = 0; i < 4000; ++i) {
     const Vec3 from = normalized(point()) * 9.0, way = normalized(point() * 0.6 - from);
     core::Hit hit;
-    if (!object.nearest({from, way}, 1e-6, Bounds::kInf, hit, {arena, core::RayKind::kShadow}))
+    if (!object.nearest({from, way}, 1e-6, Bounds::kInf, hit, {lists, core::RayKind::kShadow}))
       continue;
     const Convexity convexity = hit.leaf->convexity();
     if (convexity == Convexity::kNone || !object.lies_in_parts()) continue;
@@ -51,7 +51,7 @@ Seen leave(const std::string& sdl) {
       if (dot(along, out) < 0.0) along = -along;
       if (!(dot(along, out) > kOfSlope)) continue;
       ++seen.sure;
-      seen.met += object.any({p, along}, kTolerance, Bounds::kInf, {arena, core::RayKind::kShadow});
+      seen.met += object.any({p, along}, kTolerance, Bounds::kInf, {lists, core::RayKind::kShadow});
     }
   }
   return seen;

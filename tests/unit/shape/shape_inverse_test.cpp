@@ -13,16 +13,16 @@ TEST_P(UnitShapeInverse, OfAnIntersectionIsTheMergeOfInverses) {
   SceneText inverse("intersection { " + one + " } " + ball + "} inverse }");
   SceneText merge("merge { " + one + " inverse } " + ball + "inverse } }");
   const core::SceneParts a = inverse.build(), b = merge.build();
-  core::HitArena arena;
+  core::HitLists lists;
   core::geometry_test::Random random(4);
   int beyond = 0;
   for (int i = 0; i < 400; ++i) {
     const core::Ray ray = random.ray(4.0, 0.7);
     core::Hit found, expected;
     const bool meets = a.objects[0]->nearest(ray, 1e-6, core::Bounds::kInf, found,
-                                             {arena, core::RayKind::kShadow});
+                                             {lists, core::RayKind::kShadow});
     ASSERT_EQ(meets, b.objects[0]->nearest(ray, 1e-6, core::Bounds::kInf, expected,
-                                           {arena, core::RayKind::kShadow}));
+                                           {lists, core::RayKind::kShadow}));
     if (!meets) continue;
     EXPECT_EQ(found.t, expected.t);
     beyond += std::fabs(ray.at(found.t).y) > 0.5;

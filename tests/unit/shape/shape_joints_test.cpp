@@ -11,8 +11,8 @@ using core::Vec3;
 /// How far a ray goes to the only object of a scene; less than 0 if it misses.
 double distance_to(const core::Object& object, const core::Ray& ray) {
   core::Hit hit;
-  core::HitArena arena;
-  return object.nearest(ray, 1e-6, core::Bounds::kInf, hit, {arena, core::RayKind::kShadow}) ? hit.t
+  core::HitLists lists;
+  return object.nearest(ray, 1e-6, core::Bounds::kInf, hit, {lists, core::RayKind::kShadow}) ? hit.t
                                                                                              : -1.0;
 }
 

@@ -58,7 +58,7 @@ class Answers {
 
   std::vector<Found> all(const Ray& ray, double t_min, double t_max) {
     std::vector<Hit> hits;
-    m_object.all(ray, t_min, t_max, hits, {m_arena, core::RayKind::kShadow});
+    m_object.all(ray, t_min, t_max, hits, {m_lists, core::RayKind::kShadow});
     std::vector<Found> found;
     for (const Hit& hit : hits) found.push_back(describe(ray, hit));
     std::sort(found.begin(), found.end(), [](const Found& a, const Found& b) {
@@ -70,11 +70,11 @@ class Answers {
   /// Nothing, or the nearest.
   std::vector<Found> nearest(const Ray& ray, double t_min, double t_max) {
     Hit hit;
-    if (!m_object.nearest(ray, t_min, t_max, hit, {m_arena, core::RayKind::kShadow})) return {};
+    if (!m_object.nearest(ray, t_min, t_max, hit, {m_lists, core::RayKind::kShadow})) return {};
     return {describe(ray, hit)};
   }
   bool any(const Ray& ray, double t_min, double t_max) {
-    return m_object.any(ray, t_min, t_max, {m_arena, core::RayKind::kShadow});
+    return m_object.any(ray, t_min, t_max, {m_lists, core::RayKind::kShadow});
   }
   bool inside(const Vec3& p) const { return m_object.inside(p); }
 
@@ -86,7 +86,7 @@ class Answers {
 
   const Asked& m_object;
   Leaves m_leaves;
-  core::HitArena m_arena;
+  core::HitLists m_lists;
 };
 
 /// ShapeShortcutsRays at a box and from within it, most in any direction, some along axes, some from afar.

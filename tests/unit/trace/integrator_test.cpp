@@ -364,10 +364,10 @@ TEST(UnitShadowCache, BlockerThatIsTooNearInPlaces) {
       auto wedge = std::make_unique<Leaf>(
           std::make_unique<Box>(Vec3{0, 0, -1}, Vec3{3, 1e-5, 1}),
           Transform::rotation({0, 0, 0.055}).then(Transform::translation({-1.5, 1e-4, 0})));
-      Attributes looks;
-      looks.texture = b.plain(rgb(1, 0, 0));
-      looks.no_image = true;
-      wedge->set_attributes(looks);
+      Attributes attributes;
+      attributes.texture = b.plain(rgb(1, 0, 0));
+      attributes.no_image = true;
+      wedge->set_attributes(attributes);
       b.parts.objects.push_back(std::move(wedge));
       b.light({0, 30, 0});
       const auto scene = b.compile();

@@ -50,14 +50,14 @@ struct GatherStage {
            const Colour& colour = Colour{Rgb(1.0f)}) {
     parts.textures.push_back(std::make_shared<LayeredTexture>(std::vector<TextureLayer>{
         {std::make_shared<RadiosityColour>(colour), std::make_shared<Finish>(finish)}}));
-    Attributes looks;
-    looks.texture = parts.textures.back().get();
+    Attributes attributes;
+    attributes.texture = parts.textures.back().get();
     PassFlags flags;
     flags.importance = importance;
-    looks.pass_flags = static_cast<std::uint32_t>(parts.pass_flags.size());
+    attributes.pass_flags = static_cast<std::uint32_t>(parts.pass_flags.size());
     parts.pass_flags.push_back(flags);
     auto leaf = std::make_unique<Leaf>(std::move(shape), Transform());
-    leaf->set_attributes(looks);
+    leaf->set_attributes(attributes);
     parts.objects.push_back(std::move(leaf));
   }
   /// A wall at x = 5.
