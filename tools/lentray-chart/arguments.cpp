@@ -43,7 +43,7 @@ std::vector<Kind> kinds(const GivenOption& given) {
   return out;
 }
 
-double error_of(const GivenOption& given) {
+double given_error(const GivenOption& given) {
   const double error = parser::number(given);
   if (!(error >= 0.0) || !std::isfinite(error)) {
     parser::refuse(given, "an error in 1/255 is expected, 0 or more");
@@ -57,7 +57,7 @@ constexpr parser::OwnOption<Arguments> kOptions[] = {
     {"Out", set<&Arguments::out, parser::file_name, kFolder>},
     {"Repeats", set<&Arguments::repeats, parser::whole_number, 1, 1000>},
     {"Budget", set<&Arguments::budget, duration>},
-    {"Error", set<&Arguments::error, error_of>},
+    {"Error", set<&Arguments::error, given_error>},
     {"Only", set<&Arguments::only, kinds>},
     {"Reference_Limit", set<&Arguments::reference_limit, duration>},
     {"Lentray", set<&Arguments::lentray, parser::file_name, kProgram>},
