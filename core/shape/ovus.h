@@ -20,7 +20,6 @@ class Ovus final : public Shape {
   void all(const Ray& ray, double t_min, double t_max, ShapeHits& hits) const override;
   bool holds(const Vec3& p, bool inverse) const override { return within(p) != inverse; }
   Vec3 normal(const Vec3& p, const ShapeHit& hit) const override;
-  /// Where spheres and torus join a root may be lost.
   /// As on a sphere about the point half a top radius up.
   Vec2 uv(const Vec3& p, const ShapeHit& hit) const override;
 

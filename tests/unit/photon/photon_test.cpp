@@ -154,7 +154,7 @@ TEST(UnitPhotonMap, FewPhotonsAreSoughtFartherOff) {
   settings.radius = 0.02;
   std::vector<Photon> photons = scattered(20000, true);
   const auto density = photons.size();
-  const auto light = make_photon_light({.surface = photons}, settings);
+  const auto light = make_photon_light({.surface = photons, .media = {}}, settings);
   EXPECT_EQ(light->surface.radius(), 0.02);
   const Vec3 up(0.0, 1.0, 0.0);
   FoundPhotons found, spare;
@@ -162,7 +162,7 @@ TEST(UnitPhotonMap, FewPhotonsAreSoughtFartherOff) {
   light->surface.gather({0.5, 0.0, 0.5}, &up, found, spare);
   EXPECT_EQ(found.radius(), 0.02);
   settings.gather_min = 60;
-  const auto eager = make_photon_light({.surface = photons}, settings);
+  const auto eager = make_photon_light({.surface = photons, .media = {}}, settings);
   eager->surface.gather({0.5, 0.0, 0.5}, &up, found, spare);
   EXPECT_EQ(found.size(), 100u);
   EXPECT_NEAR(found.radius(), std::sqrt(100.0 / (3.1416 * static_cast<double>(density))), 0.004);
@@ -184,7 +184,7 @@ TEST(UnitPhotonMap, TheRadiusHoldsAsManyAsAreWanted) {
 
 TEST(UnitPhotonMap, PhotonsAtOnePlaceGiveNoRadius) {
   const std::vector<Photon> same(500, make_photon({1, 2, 3}, {1, 5, 3}, Rgb(1.0f)));
-  const auto light = make_photon_light({.surface = same}, PhotonSettings{});
+  const auto light = make_photon_light({.surface = same, .media = {}}, PhotonSettings{});
   EXPECT_TRUE(std::isfinite(light->surface.radius()));
 }
 
