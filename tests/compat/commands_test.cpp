@@ -47,8 +47,8 @@ class CompatCommands : public ::testing::Test {
 
 constexpr const char* kScene =
     "#version 3.7; global_settings { assumed_gamma 1 } sphere { 0, 1 }\n";
-constexpr const char* kLentray = LENTRAY_BIN_DIR "/lentray";
-const std::string kAll =
+constexpr const char* kLentrayProgram = LENTRAY_BIN_DIR "/lentray";
+const std::string kAllReturns =
     "Pre_Scene_Command=echo prescene %o %w %h >> log\nPre_Frame_Command=echo preframe %n %k >> "
     "log\n"
     "Post_Frame_Command=echo postframe %o >> log\nPost_Scene_Command=echo postscene %o %n >> log\n"
@@ -56,8 +56,8 @@ const std::string kAll =
 
 TEST_F(CompatCommands, SequenceAsStock) {
   for (const char* scene : {kScene, "no scene\n"}) {
-    const Outcome ours = run(kLentray, "allowed", scene, kAll),
-                  stock = run("povray", "allowed", scene, kAll);
+    const Outcome ours = run(kLentrayProgram, "allowed", scene, kAllReturns),
+                  stock = run("povray", "allowed", scene, kAllReturns);
     EXPECT_EQ(ours.log, stock.log) << ours.console;
     EXPECT_EQ(ours.status, stock.status);
     EXPECT_EQ(ours.has_picture, stock.has_picture);
@@ -69,8 +69,9 @@ TEST_F(CompatCommands, SequenceAsStock) {
 TEST_F(CompatCommands, ActionsAsStock) {
   for (const char* kind : {"Pre_Scene", "Pre_Frame", "Post_Frame", "Post_Scene"}) {
     for (const char* action : {"S", "!S", "A", "Q", "F"}) {
-      const std::string ini = kAll + kind + "_Command=false\n" + kind + "_Return=" + action + "\n";
-      const Outcome ours = run(kLentray, "allowed", kScene, ini),
+      const std::string ini =
+          kAllReturns + kind + "_Command=false\n" + kind + "_Return=" + action + "\n";
+      const Outcome ours = run(kLentrayProgram, "allowed", kScene, ini),
                     stock = run("povray", "allowed", kScene, ini);
       SCOPED_TRACE(std::string(kind) + " " + action);
       EXPECT_EQ(ours.log, stock.log) << ours.console;
@@ -80,12 +81,12 @@ TEST_F(CompatCommands, ActionsAsStock) {
 }
 
 TEST_F(CompatCommands, Abort) {
-  const Outcome ours =
-      run(kLentray, "allowed", kScene, kAll + "Pre_Frame_Command=false\nPre_Frame_Return=U\n");
+  const Outcome ours = run(kLentrayProgram, "allowed", kScene,
+                           kAllReturns + "Pre_Frame_Command=false\nPre_Frame_Return=U\n");
   EXPECT_EQ(ours.status, 2);
   EXPECT_EQ(ours.log, "prescene out.png 4 4\nabort\n");
-  const Outcome fatal = run(kLentray, "allowed", kScene,
-                            kAll +
+  const Outcome fatal = run(kLentrayProgram, "allowed", kScene,
+                            kAllReturns +
                                 "Pre_Frame_Command=false\nPre_Frame_Return=U\nUser_Abort_Command="
                                 "false\nUser_Abort_Return=F\n");
   EXPECT_EQ(fatal.status, 1);
@@ -94,13 +95,13 @@ TEST_F(CompatCommands, Abort) {
 
 // The scene may be what a command makes.
 TEST_F(CompatCommands, MakesTheScene) {
-  const Outcome ours = run(kLentray, "allowed", "#include \"made.inc\"\n",
+  const Outcome ours = run(kLentrayProgram, "allowed", "#include \"made.inc\"\n",
                            "Pre_Frame_Command=echo 'sphere { 0, 1 }' > made.inc\n");
   EXPECT_EQ(ours.status, 0) << ours.console;
 }
 
 TEST_F(CompatCommands, ForbiddenIsAWarningBeforeRendering) {
-  const Outcome ours = run(kLentray, "forbidden", kScene, kAll);
+  const Outcome ours = run(kLentrayProgram, "forbidden", kScene, kAllReturns);
   EXPECT_EQ(ours.status, 0);
   EXPECT_EQ(ours.log, "");
   EXPECT_TRUE(ours.has_picture);

@@ -84,7 +84,7 @@ INSTANTIATE_TEST_SUITE_P(
 
 /// The boxes hide nothing here: a part of a union in the list has its own, and one that is turned grows.
 TEST(ImageClipBoxesList, TurnedAndInUnions) {
-  for (const std::string shape :
+  for (const std::string& shape :
        {"union { quadric { <1,.1,1>, 0, 0, -1 scale .9" + kByField + "} sphere { <2,0,-2>, .3 } }",
         std::string("intersection { sphere { -3*y, 5 } disc { 0, -y, 5.1 } rotate 20*x }"),
         std::string("union { sphere { 3*y, .5 } intersection { sphere { -3*y, 5 } disc { 0, -y, "

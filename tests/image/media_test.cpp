@@ -105,7 +105,7 @@ INSTANTIATE_TEST_SUITE_P(
                   air("scattering { 1, <.05,.1,.2> }") +
                       "sphere { <-1.2,0,0>, .9 pigment { rgb .1 } finish { reflection .8 } "
                       "}\n")),
-    [](const auto& info) { return info.param.first; });
+    [](const auto& one) { return one.param.first; });
 
 TEST(ImageMediaQuality, TheyAreLeftOutBelowNine) {
   const std::string sdl = air("scattering { 1, .1 }") + "sphere { <-1,1,0>, .8 " + kBall +

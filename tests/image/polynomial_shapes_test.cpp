@@ -80,7 +80,7 @@ std::string within(const std::string& shape) {
 /// What stock makes of `reference` is what lentray makes of `scene`.
 ::testing::AssertionResult polynomial_shapes_same(const std::string& scene,
                                                   const std::string& reference, int order) {
-  const int width = order > 12 ? 56 : 80;  // stock takes minutes for high orders
+  const std::uint32_t width = order > 12 ? 56 : 80;  // stock takes minutes for high orders
   const auto text = [width](const std::string& sdl) {
     return SceneText{
         .sdl = sdl, .width = width, .height = width * 3 / 4, .arguments = {}, .files = {}};

@@ -30,9 +30,9 @@ using core::StoredImage;
 struct SceneText {
   std::string sdl;
   std::uint32_t width = 80, height = 60;
-  std::vector<std::string> arguments;  ///< for both renderers, such as "File_Gamma=1.0"
-  int bits = 8;                        ///< 8 or 16
-  std::vector<std::pair<std::string, std::string>> files;  ///< further files: name, contents
+  std::vector<std::string> arguments = {};  ///< for both renderers, such as "File_Gamma=1.0"
+  int bits = 8;                             ///< 8 or 16
+  std::vector<std::pair<std::string, std::string>> files = {};  ///< further files: name, contents
 };
 
 /// Where the repository and the programs under test are.
