@@ -16,7 +16,7 @@ namespace lentray::core {
 namespace {
 
 constexpr std::uint32_t kMostPixels = 65535;  ///< a side
-constexpr std::size_t kLongestRun = 128;
+constexpr std::size_t kLongestPacket = 128;
 
 class TargaEncoder final : public PictureEncoder {
  public:
@@ -71,7 +71,7 @@ class TargaEncoder final : public PictureEncoder {
   void put_runs(const std::uint8_t* row, std::vector<std::uint8_t>& out) const {
     const std::size_t width = m_spec.width;
     for (std::size_t at = 0; at < width;) {
-      const std::size_t most = std::min(width - at, kLongestRun);
+      const std::size_t most = std::min(width - at, kLongestPacket);
       std::size_t count = 1;
       while (count < most && is_same(row, at, at + count)) ++count;
       const bool is_run = count > 1;

@@ -194,6 +194,8 @@ PictureWriter::~PictureWriter() = default;
 void PictureWriter::put(const Image& band) {
   Parts& p = *m_parts;
   if (band.width != p.width) p.picture.fail("a band has another width");
+  if (band.rgba.size() != std::size_t{4} * band.width * band.height)
+    p.picture.fail("a band has pixels too few or too many");
   for (std::uint32_t first = 0; first < band.height; first += kRowsAtATime) {
     const std::uint32_t rows = std::min(kRowsAtATime, band.height - first);
     p.picture.put(p.samples.next(band, first, rows), rows);

@@ -73,9 +73,9 @@ void check_photons(const GlobalDesc& global, core::SceneParts& parts, Diagnostic
   const double expected = core::expected_photons(parts.lights, units);
   if (!(expected <= kMostShot)) {
     diagnostics.fail(global.where,
-                     core::formed("about %.2g photons would be shot, 1e+09 are the most: a greater "
-                                  "spacing or a smaller count shoots fewer",
-                                  expected));
+                     "about " + core::formed("%.2g", expected) +
+                         " photons would be shot, 1e+09 are the most: a greater spacing or a "
+                         "smaller count shoots fewer");
   }
 }
 
