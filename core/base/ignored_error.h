@@ -1,4 +1,4 @@
-// Where the standard library tells of an error that nobody asks about. Threads: each has its own.
+// Takes errors of the standard library that the caller does not ask about. Threads: each has its own.
 #pragma once
 
 #include <system_error>

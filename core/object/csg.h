@@ -30,7 +30,6 @@ class Csg final : public Object {
   bool inside(const Vec3& p) const override;
   void leaves(std::vector<const Leaf*>& out) const override;
   void set_inverse(bool inverse) override;
-  void complete() override;
   Bounds solid_bounds() const override;
   Bounds void_bounds() const override;
   Ball solid_ball() const override;
@@ -41,6 +40,8 @@ class Csg final : public Object {
   /// `split_union off`: its parts stay together, and count as one solid.
   void keep_whole() { m_kept_whole = true; }
   bool is_kept_whole() const { return m_kept_whole; }
+  /// For complete() of core/object/object.h: the hierarchies over many children.
+  void build_search();
   /// For the scene compiler, which hands an unclipped top-level union's parts to the hierarchy.
   std::vector<std::unique_ptr<Object>> take_children() { return std::move(m_children); }
 
@@ -110,8 +111,8 @@ class Csg final : public Object {
   /// kHidden where parts of a union or merge are invisible to some rays; kOverlap for an intersection of
   /// many convex parts, and for the inverse of one.
   std::size_t m_core = kNobody;
-  std::vector<Fence> m_fences;       ///< one a child; of many that are joined, made by complete()
-  std::unique_ptr<Search> m_search;  ///< where there are many children, from complete() on
+  std::vector<Fence> m_fences;  ///< one a child; of many that are joined, made by build_search()
+  std::unique_ptr<Search> m_search;  ///< where there are many children, from build_search() on
   std::vector<std::unique_ptr<Object>> m_children;
 };
 

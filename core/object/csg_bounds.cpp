@@ -133,8 +133,7 @@ Ball Csg::solid_ball() const {
   return within_clips(ball);
 }
 
-void Csg::complete() {
-  for (const auto& child : m_children) child->complete();
+void Csg::build_search() {
   if (m_children.size() < kMany) return;
   if (m_fences.empty()) {
     m_fences.reserve(m_children.size());

@@ -29,7 +29,6 @@ class Gated final : public Object {
   bool inside(const Vec3& p) const override { return m_content->inside(p); }
   void leaves(std::vector<const Leaf*>& out) const override { m_content->leaves(out); }
   void set_inverse(bool inverse) override;
-  void complete() override { m_content->complete(); }
 
   Object& content() const { return *m_content; }
   const Regions& gates() const { return m_gates; }

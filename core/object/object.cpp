@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "core/object/csg.h"
+#include "core/object/gated.h"
 #include "core/object/leaf.h"
 
 namespace lentray::core {
@@ -32,6 +34,15 @@ bool is_seen_afar(const Object& object) {
   std::vector<const Leaf*> leaves;
   object.leaves(leaves);
   return std::ranges::any_of(leaves, is_one);
+}
+
+void complete(Object& object) {
+  if (dynamic_cast<const Leaf*>(&object)) return;
+  if (const auto* gated = dynamic_cast<const Gated*>(&object)) return complete(gated->content());
+  if (auto* csg = dynamic_cast<Csg*>(&object)) {
+    for (const auto& child : csg->children()) complete(*child);
+    csg->build_search();
+  }
 }
 
 }  // namespace lentray::core

@@ -44,9 +44,6 @@ class Object {
   }
   /// As SDL's inside(): clipping and `inverse` count.
   virtual bool inside(const Vec3& p) const = 0;
-  /// Comes once all else is set and the object stays whole, before any question of a ray or a point. A CSG
-  /// of many parts builds the hierarchies over them.
-  virtual void complete() {}
   /// Every primitive below, itself included (for what materials and types occur).
   virtual void leaves(std::vector<const Leaf*>& out) const = 0;
 
@@ -127,6 +124,10 @@ class Object {
 /// Whether rays may meet an object beyond kFarthest: where a shape of it is seen there, or keeps a transform
 /// of its own. For building; walks through all parts. Source: docs/language.md.
 bool is_seen_afar(const Object& object);
+
+/// Once all else of the object and its parts is set, before any question of a ray or a point: each CSG of many
+/// parts builds the hierarchies over them.
+void complete(Object& object);
 
 /// Appends all crossings with the object, or the `nearest` alone.
 inline void add_hits(const Object& object, const Ray& ray, double t_min, double t_max, bool nearest,

@@ -8,7 +8,7 @@
 // picture has the whole picture's pixels. Within a tile, pixels that do not join one another (other
 // views behind a lens sheet) are chains of their own.
 // Source: reference manual 3.7, "Sampling_Method"; the order of the comparisons and the weights
-// measured on stock by image.antialiasing.
+// measured on stock by tests/image/antialiasing_test.cpp.
 #include "core/render/film_of.h"
 
 #include <algorithm>

@@ -2,7 +2,7 @@
 // order; then each pixel whose corners differ is cut into quarters, and these into theirs, `depth`
 // times at most. Pixels do not depend on each other.
 // Source: reference manual 3.7, "Sampling_Method"; places, weights and jitter measured on stock by
-// image.antialiasing.
+// tests/image/antialiasing_test.cpp.
 #include "core/render/film_of.h"
 
 #include <algorithm>

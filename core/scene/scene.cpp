@@ -117,7 +117,7 @@ Scene::Scene(SceneParts parts, const CompileOptions& options)
   constexpr std::size_t kCompletion = 16;
   in_ranges(m_parts.objects.size(), kCompletion, [this](std::size_t first, std::size_t end) {
     for (std::size_t i = first; i < end; ++i) {
-      m_parts.objects[i]->complete();
+      complete(*m_parts.objects[i]);
       m_parts.objects[i]->set_test_cost(test_cost(*m_parts.objects[i]));
     }
   });

@@ -22,10 +22,10 @@ struct RayState {
   InteriorsId inside = InteriorsId::kOpen;  ///< of the thread's table
   std::uint32_t tree_place = 1;             ///< for caches: see ShadowQuery
   RayKind kind = RayKind::kCamera;
-  bool straight_on =
-      false;  ///< passed the last surface unrefracted: the next surface adds no trace level
-  std::uint8_t scattered =
-      0;  ///< translucent surfaces, from the camera to the ray, whose subsurface light the ray gathers
+  /// Passed the last surface unrefracted: the next surface adds no trace level.
+  bool straight_on = false;
+  /// Translucent surfaces, from the camera to the ray, whose subsurface light the ray gathers.
+  std::uint8_t scattered = 0;
 };
 
 /// A place on a surface that is shaded. Members without initialisers: all are given.

@@ -100,7 +100,7 @@ std::unique_ptr<core::Object> ObjectBuilder::geometry(const ObjectDesc& object,
                                                       const core::Transform& to_world) {
   ObjectBuilder plain(m_not_yet);
   auto made = plain.build(object, to_world, {});
-  if (made) made->complete();
+  if (made) core::complete(*made);
   return made;
 }
 

@@ -40,7 +40,7 @@ class SceneText {
   core::SceneParts build() {
     SceneDesc used_up = scene;
     core::SceneParts parts = build_scene(used_up, m_diagnostics, {}, &report);
-    for (const auto& object : parts.objects) object->complete();
+    for (const auto& object : parts.objects) complete(*object);
     return parts;
   }
   const ObjectDesc& object(std::size_t i = 0) const { return *scene.objects.at(i).object; }

@@ -45,7 +45,7 @@ std::unique_ptr<Csg> overlap_column(CsgKind kind, bool inverse_parts) {
   add(std::make_unique<Box>(Vec3{-0.8, -0.8, -0.8}, Vec3{0.9, 0.9, 0.9}),
       Transform::rotation({20, 10, 40}));
   auto column = std::make_unique<Csg>(kind, std::move(parts));
-  column->complete();
+  complete(*column);
   return column;
 }
 

@@ -77,7 +77,7 @@ std::unique_ptr<Object> random_tree(Random& random, int depth) {
   for (int i = 0; i < n; ++i) children.push_back(random_tree(random, depth - 1));
   auto object = std::make_unique<Csg>(kinds[random.whole(0, 2)], std::move(children));
   if (random.whole(0, 4) == 0) object->set_inverse(true);
-  object->complete();
+  complete(*object);
   return object;
 }
 
@@ -190,7 +190,7 @@ TEST(UnitCoreCsg, ManyChildrenMatchFew) {
                                           std::move(nested), std::move(sphere));
     }
     Csg wide(join ? CsgKind::kMerge : CsgKind::kDifference, std::move(flat));
-    wide.complete();
+    complete(wide);
     for (int k = 0; k < 2000; ++k) {
       const Ray ray = random.ray(3.0, 1.0);
       ASSERT_EQ(depths(wide, ray), depths(*nested, ray));
@@ -214,7 +214,7 @@ TEST(UnitCoreCsg, TiesGoToTheLastChild) {
     }
     const Object* last = children[1].get();
     Csg object(CsgKind::kUnion, std::move(children));
-    object.complete();
+    complete(object);
     HitLists lists;
     Hit hit;
     ASSERT_TRUE(object.nearest({{0, 0, -5}, {0, 0, 1}}, 0, kGeometryCsgInf, hit,
