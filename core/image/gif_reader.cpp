@@ -20,12 +20,12 @@ int read_bytes(GifFileType* gif, GifByteType* to, int size) {
       std::fread(to, 1, static_cast<std::size_t>(size), static_cast<std::FILE*>(gif->UserData)));
 }
 
-[[noreturn]] void fail(int error) {
+[[noreturn]] void fail_to_read_gif(int error) {
   const char* why = GifErrorString(error);
   throw std::runtime_error(why ? why : "it is no GIF file");
 }
 void check(const Gif& gif, int status) {
-  if (status != GIF_OK) fail(gif->Error);
+  if (status != GIF_OK) fail_to_read_gif(gif->Error);
 }
 
 /// Passes over the blocks before the first picture. The transparent entry, or NO_TRANSPARENT_COLOR.
@@ -74,7 +74,7 @@ void read_lines(const Gif& gif, StoredImage& image) {
 StoredImage read_gif(std::FILE* file) {
   int error = 0;
   const Gif gif(DGifOpen(file, read_bytes, &error));
-  if (!gif) fail(error);
+  if (!gif) fail_to_read_gif(error);
   const int clear = read_extensions(gif);
   check(gif, DGifGetImageDesc(gif.get()));
   if (gif->Image.Width < 1 || gif->Image.Height < 1)
