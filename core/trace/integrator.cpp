@@ -23,11 +23,13 @@ class WhittedIntegrator final : public Integrator {
   WhittedIntegrator(ThreadContext& context, ShadowTester& shadows, const PathRules& rules)
       : m_context(context), m_stepper(context, shadows, rules) {}
 
-  using Integrator::trace;
+  using Integrator::trace, Integrator::trace_met;
   Radiance trace(const Ray& ray, Pixel pixel, std::uint64_t key) override;
+  Radiance trace_met(const Ray& ray, Pixel pixel, std::uint64_t key, const Hit* hit) override;
   GatheredRay gather(const GatherRay& ray) override;
 
  private:
+  RayState begin(const Ray& ray, Pixel pixel, std::uint64_t key);
   Radiance follow(const RayState& state);
   /// The same without a call: most pictures have little more than camera rays.
   Radiance follow_here(const RayState& state);
@@ -75,10 +77,24 @@ class WhittedIntegrator final : public Integrator {
 
 Radiance WhittedIntegrator::follow(const RayState& state) { return follow_here(state); }
 
-Radiance WhittedIntegrator::trace(const Ray& ray, Pixel pixel, std::uint64_t key) {
+[[gnu::always_inline]] inline RayState WhittedIntegrator::begin(const Ray& ray, Pixel pixel,
+                                                                std::uint64_t key) {
   m_context.interiors.forget_if_large();
   if (m_context.indirect) m_context.indirect->begin(pixel, is_first_sample(pixel, key), key);
-  return follow_here(m_stepper.begin(ray, pixel, key));
+  return m_stepper.begin(ray, pixel, key);
+}
+
+Radiance WhittedIntegrator::trace(const Ray& ray, Pixel pixel, std::uint64_t key) {
+  return follow_here(begin(ray, pixel, key));
+}
+
+Radiance WhittedIntegrator::trace_met(const Ray& ray, Pixel pixel, std::uint64_t key,
+                                      const Hit* hit) {
+  const RayState state = begin(ray, pixel, key);
+  if (m_stepper.is_cut(state) || is_too_deep()) return {};
+  RayRecord& record = enter_ray();
+  m_stepper.see(state, hit, record);
+  return leave_ray(state, record);
 }
 
 GatheredRay WhittedIntegrator::gather(const GatherRay& from) {

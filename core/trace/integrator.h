@@ -16,6 +16,7 @@
 
 namespace lentray::core {
 
+struct Hit;
 struct PathRules;
 struct ThreadContext;
 
@@ -23,11 +24,16 @@ class Integrator : public Follow {
  public:
   /// The light along a camera ray of a pixel; `key` is the sample's (core/trace/random_key.h).
   virtual Radiance trace(const Ray& ray, Pixel pixel, std::uint64_t key) = 0;
+  /// The same of a ray that is known to meet this first; null: nothing.
+  virtual Radiance trace_met(const Ray& ray, Pixel pixel, std::uint64_t key, const Hit* hit) = 0;
   /// Of the pixel's sample 0.
   Radiance trace(const Ray& ray, Pixel pixel) {
     static_assert(std::endian::native ==
                   std::endian::little);  // sample_key() of a pixel is its bits
     return trace(ray, pixel, std::bit_cast<std::uint64_t>(pixel));
+  }
+  Radiance trace_met(const Ray& ray, Pixel pixel, const Hit* hit) {
+    return trace_met(ray, pixel, std::bit_cast<std::uint64_t>(pixel), hit);
   }
   /// It leaves out what the context's scene does not need. `shadows` works with the same context.
   static std::unique_ptr<Integrator> make(ThreadContext& context, ShadowTester& shadows);
