@@ -41,8 +41,8 @@ BundleTree::BundleTree(const ObjectTree& tree) : m_tree(tree) {
     }
     return true;
   };
-  m_works = tree.m_avx2 && !tree.m_tree.empty() && all_keep(tree.m_entries) &&
-            all_keep(tree.m_unbounded);
+  m_works =
+      tree.m_avx2 && !tree.m_tree.empty() && all_keep(tree.m_entries) && all_keep(tree.m_unbounded);
   if (!m_works) return;
   m_boxes.reserve(tree.m_entries.size());
   for (const ObjectEntry& e : tree.m_entries) {
@@ -116,8 +116,8 @@ class BundleTree::Search {
         bool closer = false;
         for (int half = 0; half < 2; ++half) {
           const int first = g * RayBundle::kGroup + 4 * half;
-          const LaneHits hits = meet_lane(pack, static_cast<int>(lane), RayLanes(m_rays, first),
-                                          m_query.t_min);
+          const LaneHits hits =
+              meet_lane(pack, static_cast<int>(lane), RayLanes(m_rays, first), m_query.t_min);
           closer |= take(hits, first, e);
         }
         if (closer) shorten(g);
@@ -180,8 +180,8 @@ class BundleTree::Search {
       const double reach = m_entry[i] ? next_up(m_best[i]) : m_best[i];
       Hit hit;
       if (!e.object->nearest(ray, m_query.t_min, reach, hit, m_query.objects)) continue;
-      if (!(hit.t < m_best[i]) && !(hit.t == m_best[i] && m_entry[i] &&
-                                    wins_tie(e, *m_entry[i], ray))) {
+      if (!(hit.t < m_best[i]) &&
+          !(hit.t == m_best[i] && m_entry[i] && wins_tie(e, *m_entry[i], ray))) {
         continue;
       }
       m_hits.hit[static_cast<std::size_t>(i)] = hit;

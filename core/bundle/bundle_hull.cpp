@@ -37,7 +37,7 @@ LENTRAY_SIMD32 Double4 of_groups(const double* from) {
 /// Origin times inverse direction: earlier where the plane is entered, later in the lanes where it is left.
 LENTRAY_SIMD32 Float4 rounded_product(Double4 origin, Float4 inverse, Long4 leaves, double error) {
   const Double4 zero{}, rounded = simd::widened(inverse), around = simd::abs(rounded) * error,
-                wider = simd::double4(WideLimits::kWider);
+                        wider = simd::double4(WideLimits::kWider);
   const Float4 moved =
       simd::narrowed(origin * rounded + simd::chosen(leaves, zero - around, around));
   const Float4 more = simd::narrowed(simd::chosen(leaves, zero - wider, wider));
@@ -83,8 +83,8 @@ LENTRAY_SIMD32 Double4 in_axes(const Double4 (&v)[3][2], int groups, bool least)
     alignas(32) double each[8];
     simd::store(each, v[a][0]);
     simd::store(each + 4, v[a][1]);
-    found[a] = least ? *std::min_element(each, each + groups)
-                     : *std::max_element(each, each + groups);
+    found[a] =
+        least ? *std::min_element(each, each + groups) : *std::max_element(each, each + groups);
   }
   return simd::double4_at(found);
 }

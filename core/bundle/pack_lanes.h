@@ -83,16 +83,14 @@ LENTRAY_SIMD32 LaneHits meet_lane(const PolygonPack& pack, int lane, const RayLa
 
 /// intersect_triangle(), where not all four rays run longest along the same axis.
 [[gnu::noinline, gnu::cold]] inline void meet_lane_apart(const TrianglePack& pack, int lane,
-                                                         const RayLanes& r,
-                                                         TriangleHit (&hits)[4],
+                                                         const RayLanes& r, TriangleHit (&hits)[4],
                                                          bool (&meet)[4]) {
   Vec3 corner[3];
   for (int c = 0; c < 3; ++c) {
     for (int a = 0; a < 3; ++a) corner[c][a] = pack.corner[c][a][lane];
   }
   for (int i = 0; i < 4; ++i) {
-    meet[i] =
-        intersect_triangle(ShearedRay(r.ray(i)), corner[0], corner[1], corner[2], hits[i]);
+    meet[i] = intersect_triangle(ShearedRay(r.ray(i)), corner[0], corner[1], corner[2], hits[i]);
   }
 }
 

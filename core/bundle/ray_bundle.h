@@ -19,7 +19,10 @@ class RayBundle {
   int groups() const { return (m_count + kGroup - 1) / kGroup; }
   /// Once all rays are there, at least one: fills the last group up with copies of the last ray.
   void fill_up() {
-    for (int i = m_count; i < groups() * kGroup; ++i) put(i, m_rays[m_count - 1]);
+    const int end = groups() * kGroup;
+    for (int i = m_count; i < end; ++i) put(i, m_rays[m_count - 1]);
+    const double *x = m_direction[0], *y = m_direction[1], *z = m_direction[2];
+    for (int i = 0; i < end; ++i) m_inverse_dd[i] = 1.0 / (x[i] * x[i] + y[i] * y[i] + z[i] * z[i]);
   }
 
   const Ray& ray(int i) const { return m_rays[i]; }
@@ -35,10 +38,9 @@ class RayBundle {
       m_origin[a][i] = ray.origin[a];
       m_direction[a][i] = ray.direction[a];
     }
-    m_inverse_dd[i] = 1.0 / dot(ray.direction, ray.direction);
   }
 
-  alignas(32) double m_origin[3][kMost], m_direction[3][kMost], m_inverse_dd[kMost];
+  alignas(32) double m_origin[3][kMost] = {}, m_direction[3][kMost] = {}, m_inverse_dd[kMost] = {};
   Ray m_rays[kMost];
   int m_count = 0;
 };

@@ -58,8 +58,8 @@ class Sampler {
   bool centres_together(std::span<const Pixel> pixels, Counters& counters, const Keep& keep,
                         const Stop& stop) {
     while (!pixels.empty()) {
-      const auto block = pixels.first(std::min(pixels.size(), FirstHits::kMost));
-      find_hits(block);
+      const auto block =
+          pixels.first(find_hits(pixels.first(std::min(pixels.size(), FirstHits::kMost))));
       std::size_t ray = 0;
       for (std::size_t i = 0; i < block.size(); ++i) {
         if (stop()) return false;
@@ -75,8 +75,8 @@ class Sampler {
     }
     return true;
   }
-  /// The rays of these pixels, and what they meet.
-  void find_hits(std::span<const Pixel> pixels);
+  /// The rays of these pixels, and what those of the first of them meet: of how many.
+  std::size_t find_hits(std::span<const Pixel> pixels);
   Radiance of_block(const Pixel& pixel, std::size_t i) {
     const Ray& ray = m_rays[i];
     if (!m_hits->is_known(i)) return m_integrator.trace(ray, pixel);
@@ -105,8 +105,8 @@ class Sampler {
   const SamplerOptions m_options;
   const bool m_is_mean;  ///< whether a sample is more than one ray
   Integrator& m_integrator;
-  FirstHits* const m_hits;   ///< null: each ray is searched for alone
-  std::vector<Ray> m_rays;   ///< of a block of pixels
+  FirstHits* const m_hits;                         ///< null: each ray is searched for alone
+  std::vector<Ray> m_rays;                         ///< of a block of pixels
   std::array<bool, FirstHits::kMost> m_has_ray{};  ///< of its pixels
 };
 

@@ -11,7 +11,7 @@
 namespace lentray::core {
 namespace {
 
-constexpr std::size_t kFewest = 6;      ///< rays that are searched together
+constexpr std::size_t kFewest = 6;       ///< rays that are searched together
 constexpr std::uint32_t kMostRest = 64;  ///< finds
 
 /// How many of the rays run side by side with the first: up to where a step from one to the next is much longer than
@@ -49,38 +49,35 @@ FirstHits::FirstHits(ThreadContext& context)
       m_works(!context.tests && context.scene.hierarchy().takes_bundles()),
       m_min_distance(kMinHitDistance * context.scene.tolerance_scale()) {}
 
-void FirstHits::find(std::span<const Ray> rays) {
-  m_hits.answer.fill(BundleHits::Answer::kUnknown);
+std::size_t FirstHits::find(std::span<const Ray> rays) {
   if (m_resting > 0) {
     --m_resting;
-    return;
+    m_hits.answer.fill(BundleHits::Answer::kUnknown);
+    return rays.size();
   }
-  for (std::size_t first = 0; first < rays.size();) {
-    const std::size_t count = count_together(rays.subspan(first));
-    if (count >= kFewest) find_together(rays.subspan(first, count), first);
-    first += count;
+  const std::size_t count = count_together(rays);
+  if (count < kFewest || !find_together(rays.first(count))) {
+    m_hits.answer.fill(BundleHits::Answer::kUnknown);
   }
+  return count;
 }
 
-void FirstHits::find_together(std::span<const Ray> rays, std::size_t first) {
+bool FirstHits::find_together(std::span<const Ray> rays) {
   m_bundle.clear();
   for (const Ray& ray : rays) {
-    if (!has_finite_numbers(ray)) return;
+    if (!has_finite_numbers(ray)) return false;
     m_bundle.add(unit_ray(ray));
   }
   m_bundle.fill_up();
   const bool is_found = m_context.scene.hierarchy().nearest(
-      m_bundle, m_min_distance, RayKind::kCamera, m_part, m_context.arena);
-  if (!is_found) {
+      m_bundle, m_min_distance, RayKind::kCamera, m_hits, m_context.arena);
+  if (is_found) {
+    m_rest = 0;
+  } else {
     m_rest = std::min(2 * m_rest + 1, kMostRest);
     m_resting = m_rest;
-    return;
   }
-  m_rest = 0;
-  for (std::size_t i = 0; i < rays.size(); ++i) {
-    m_hits.answer[first + i] = m_part.answer[i];
-    if (m_part.answer[i] == BundleHits::Answer::kMet) m_hits.hit[first + i] = m_part.hit[i];
-  }
+  return is_found;
 }
 
 }  // namespace lentray::core

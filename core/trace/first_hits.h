@@ -3,7 +3,6 @@
 // together changes no bit. World space. One a thread.
 #pragma once
 
-#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -22,8 +21,9 @@ class FirstHits {
   explicit FirstHits(ThreadContext& context);
   /// False: nothing is ever known, and find() must not be called.
   bool works() const { return m_works; }
-  /// Looks for what these meet, at most kMost, neighbours next to each other.
-  void find(std::span<const Ray> rays);
+  /// Looks for what these meet, 1 to kMost, neighbours next to each other. Returns how many it has looked at: the
+  /// others run elsewhere.
+  std::size_t find(std::span<const Ray> rays);
   /// Of ray i of those. Holds until others are looked for.
   bool is_known(std::size_t i) const { return m_hits.answer[i] != BundleHits::Answer::kUnknown; }
   /// Of a ray that is known; null: nothing.
@@ -32,12 +32,12 @@ class FirstHits {
   }
 
  private:
-  void find_together(std::span<const Ray> rays, std::size_t first);
+  bool find_together(std::span<const Ray> rays);
 
   ThreadContext& m_context;
   const bool m_works;
   const double m_min_distance;  ///< of hits
-  BundleHits m_hits, m_part;
+  BundleHits m_hits;
   RayBundle m_bundle;
   /// Of rays that run apart the next ones do so, too, most often: so many are not tried, more each time.
   std::uint32_t m_resting = 0, m_rest = 0;

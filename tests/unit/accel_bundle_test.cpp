@@ -72,10 +72,10 @@ class BundleMaker {
       const double x = i % 8, y = i / 8;
       Ray ray{about.origin, d};
       switch (number % 5) {
-        case 0: ray.origin += v * (i * step); break;                    // a column, parallel
+        case 0: ray.origin += v * (i * step); break;  // a column, parallel
         case 1: ray.direction = normalized(d + u * (0.004 * x) + v * (0.004 * y)); break;
-        case 2: ray.origin += u * (x * step) + v * (y * step); break;   // a tile, parallel
-        case 3:                                                         // from an eye before it
+        case 2: ray.origin += u * (x * step) + v * (y * step); break;  // a tile, parallel
+        case 3:                                                        // from an eye before it
           ray.direction = normalized(d + v * (0.01 * i));
           ray.origin += ray.direction * m_setup.detail;
           break;
@@ -139,8 +139,8 @@ TEST(UnitCoreBundleRules, GrazingRaysMeetWhatTheyMeetAlone) {
       const Vec3 at{x * 1.0, y * 1.0, 0.0};
       add(std::make_unique<Sphere>(at, 0.5));
       add(std::make_unique<Triangle>(at, at + Vec3{1, 0, 0}, at + Vec3{0, 1, 0}));
-      add(std::make_unique<Polygon>(std::vector<Vec3>{at, at + Vec3{1, 0, 0}, at + Vec3{1, 0, 1},
-                                                      at + Vec3{0, 0, 1}, at}));
+      add(std::make_unique<Polygon>(
+          std::vector<Vec3>{at, at + Vec3{1, 0, 0}, at + Vec3{1, 0, 1}, at + Vec3{0, 0, 1}, at}));
     }
   }
   const Hierarchy tree(objects);
@@ -189,10 +189,10 @@ TEST(UnitCoreBundleRules, ThingsSeenBeyondTheirBoundsAreSearchedRayByRay) {
     } else {
       shape = std::make_unique<Sphere>(Vec3{0, 1, 0}, 1);
     }
-    Object::Regions gates{std::make_shared<Leaf>(
-        std::make_unique<Sphere>(Vec3{0, 0, 3}, 1), Transform())};
-    objects.push_back(std::make_unique<Gated>(
-        std::make_unique<Leaf>(std::move(shape), Transform()), std::move(gates)));
+    Object::Regions gates{
+        std::make_shared<Leaf>(std::make_unique<Sphere>(Vec3{0, 0, 3}, 1), Transform())};
+    objects.push_back(std::make_unique<Gated>(std::make_unique<Leaf>(std::move(shape), Transform()),
+                                              std::move(gates)));
     const Hierarchy tree(objects), portable(objects, Accelerator::kBvh, true);
     EXPECT_EQ(tree.takes_bundles(), has_avx2() && !beyond);
     EXPECT_FALSE(portable.takes_bundles());
