@@ -45,6 +45,7 @@ TEST(UnitCoreNoise, DoesNotDependOnWhatWasAskedBefore) {
     const std::vector<double> fresh = asked_afresh(all, generator);
     for (std::size_t i = 0; i < all.size(); ++i) {
       EXPECT_EQ(noise_bits(fresh[i]), noise_bits(noise(all[i], generator)));
+      EXPECT_EQ(noise_bits(fresh[i]), noise_bits(noise(all[i], generator))) << "asked for twice";
       EXPECT_EQ(noise_bits(fresh[i]), noise_bits(noise(all[i], generator))) << "known by now";
     }
     // Cells 8 apart share a place where cells are kept.
@@ -66,6 +67,28 @@ TEST(UnitCoreNoise, TwoAtOnceAreLikeOneAfterTheOther) {
           noise(NoisePair{p.x, q.x}, NoisePair{p.y, q.y}, NoisePair{p.z, q.z}, generator);
       EXPECT_EQ(noise_bits(pair[0]), noise_bits(noise(p, generator)));
       EXPECT_EQ(noise_bits(pair[1]), noise_bits(noise(q, generator)));
+    }
+  }
+}
+
+TEST(UnitCoreNoise, OctavesTogetherAreLikeOneAfterTheOther) {
+  const std::vector<Vec3> all = points();
+  for (const double lambda : {2.0, 3.25, 0.3, 1e4}) {
+    for (int octaves = 0; octaves <= 10; ++octaves) {
+      const Turbulence turbulence{{1, 1, 1}, octaves, lambda, 0.65725};
+      for (const Vec3& p : all) {
+        Vec3 sum = vector_noise(p);
+        double scale = lambda, weight = turbulence.omega;
+        for (int octave = 2; octave <= octaves; ++octave) {
+          sum += vector_noise(p * scale) * weight;
+          scale *= lambda;
+          weight *= turbulence.omega;
+        }
+        const Vec3 together = vector_turbulence(p, turbulence);
+        for (int axis = 0; axis < 3; ++axis) {
+          EXPECT_EQ(noise_bits(together[axis]), noise_bits(sum[axis])) << octaves << ' ' << lambda;
+        }
+      }
     }
   }
 }
