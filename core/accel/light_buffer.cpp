@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/accel/light_buffer_builder.h"
+#include "core/object/leaf.h"
 #include "core/shape/box.h"
 #include "core/shape/plane.h"
 #include "core/shape/polygon.h"
@@ -145,27 +146,57 @@ LightBuffer::Answer LightBuffer::any_opaque(const Spot& spot, const Ray& ray, do
   return other_blocker(spot, ray, t_min, t_max, lists, uncounted);
 }
 
+/// Appends the crossings of one caster. What a ray meets once at most is asked without a detour.
+[[gnu::always_inline]] inline void LightBuffer::add_all(const Caster& caster, const Ray& ray,
+                                                        double t_min, double t_max, bool nearest,
+                                                        std::vector<Hit>& hits, HitLists& lists) {
+  ShapeHit hit;
+  switch (caster.kind) {
+    case CasterKind::kPolygon:
+      if (!static_cast<const Polygon*>(caster.shape)->Polygon::nearest(ray, t_min, t_max, hit))
+        return;
+      break;
+    case CasterKind::kTriangle:
+      if (!static_cast<const TriangleShape*>(caster.shape)->nearest(ray, t_min, t_max, hit)) return;
+      break;
+    default: {
+      const std::size_t before = hits.size();
+      add_hits(*caster.object, ray, t_min, t_max, nearest, hits, {lists, RayKind::kShadow});
+      for (std::size_t i = before; i < hits.size(); ++i) {
+        hits[i].object = caster.object;
+        hits[i].place = caster.place;
+      }
+      return;
+    }
+  }
+  hits.push_back(
+      {hit.t, static_cast<const Leaf*>(caster.object), caster.object, hit, caster.place});
+}
+
 void LightBuffer::all_transparent(const Spot& spot, const Ray& ray, double t_min, double t_max,
                                   bool nearest, std::vector<Hit>& hits, HitLists& lists,
                                   Counters* counters) const {
-  const auto ask = [&](const Caster& caster) {
-    if (caster.object == spot.unmet) return;
+  for (const Caster& caster : m_always_transparent) {
+    if (caster.object == spot.unmet) continue;
     if (counters) counters->add_tests(caster.object->name(), 1);
-    const std::size_t before = hits.size();
-    add_hits(*caster.object, ray, t_min, t_max, nearest, hits, {lists, RayKind::kShadow});
-    for (std::size_t i = before; i < hits.size(); ++i) {
-      hits[i].object = caster.object;
-      hits[i].place = caster.place;
-    }
-  };
-  for (const Caster& caster : m_always_transparent) ask(caster);
-  if (!spot.cell) return;
-  const Entry* entry =
-      m_entries.data() + spot.cell->first + (spot.cell->covered ? 1 : 0) + spot.cell->opaque;
-  for (const Entry* end = entry + spot.cell->transparent; entry < end && entry->near_w < spot.w;
-       ++entry) {
-    ask(m_casters[entry->caster]);
+    add_all(caster, ray, t_min, t_max, nearest, hits, lists);
   }
+  if (!spot.cell) return;
+  const Entry* entry = first_transparent(*spot.cell);
+  const Entry* const end = entry + spot.cell->transparent;
+  if (!(entry < end && entry->near_w < spot.w)) return;
+  // Of a ray that begins nearer to the light w is too large, which widens the volumes.
+  const LightProbe point(ray.origin - m_light, spot.w, t_min, m_reach);
+  do {
+    if (point.is_outside(m_volumes[entry->caster])) {
+      if (counters) ++counters->bounds_tests;
+      continue;
+    }
+    const Caster& caster = m_casters[entry->caster];
+    if (caster.object == spot.unmet) continue;
+    if (counters) counters->add_tests(caster.object->name(), 1);
+    add_all(caster, ray, t_min, t_max, nearest, hits, lists);
+  } while (++entry < end && entry->near_w < spot.w);
 }
 
 std::size_t LightBuffer::memory() const {

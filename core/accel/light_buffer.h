@@ -58,7 +58,9 @@ class LightBuffer {
   /// tolerance, t_max the way to the light less the tolerance.
   Answer any_opaque(const Spot& spot, const Ray& to_light, double t_min, double t_max,
                     HitLists& lists, Counters* counters) const;
-  /// As Hierarchy::all_transparent.
+  /// False: nothing there filters the light.
+  bool may_filter(const Spot& spot) const;
+  /// As Hierarchy::all_transparent. The ray may begin nearer to the light than the point of `spot`.
   void all_transparent(const Spot& spot, const Ray& to_light, double t_min, double t_max,
                        bool nearest, std::vector<Hit>& hits, HitLists& lists,
                        Counters* counters) const;
@@ -105,6 +107,9 @@ class LightBuffer {
               HitLists& lists, Count count) const;
   Answer any_opaque_counted(const Spot& spot, const Ray& to_light, double t_min, double t_max,
                             HitLists& lists, Counters& counters) const;
+  static void add_all(const Caster& caster, const Ray& to_light, double t_min, double t_max,
+                      bool nearest, std::vector<Hit>& hits, HitLists& lists);
+  const Entry* first_transparent(const Cell& cell) const;
 
   Vec3 m_light;
   bool m_crowded = false;
@@ -135,6 +140,15 @@ struct alignas(8) LightBuffer::Cell {
 
 inline bool LightBuffer::serves(const Spot& spot, double distance) const {
   return distance > m_least_distance && !(spot.cell && spot.cell->crowded);
+}
+
+inline const LightBuffer::Entry* LightBuffer::first_transparent(const Cell& cell) const {
+  return m_entries.data() + cell.first + (cell.covered ? 1 : 0) + cell.opaque;
+}
+
+inline bool LightBuffer::may_filter(const Spot& spot) const {
+  if (!m_always_transparent.empty()) return true;
+  return spot.cell && spot.cell->transparent != 0 && first_transparent(*spot.cell)->near_w < spot.w;
 }
 
 inline void LightBuffer::locate(const Vec3& point, Spot& spot) const {

@@ -211,25 +211,28 @@ void LightOutline::sphere(const Vec3& centre, double radius, const LightWindow& 
 /// Range of w of the plane over a cell: 1 / w is linear in u and v, so the corners have it.
 void LightOutline::depths(const Vec3& normal, double offset, bool inside, int column, int row,
                           LightCell& cell) const {
-  double least = Bounds::kInf, most = 0.0;
-  bool sure = inside;
-  for (int c = 0; c < 4; ++c) {
-    const double x = column + (c & 1 ? 1.0 + kCellSlack : -kCellSlack);
-    const double y = row + (c & 2 ? 1.0 + kCellSlack : -kCellSlack);
-    const Vec3 d = m_raster.direction(x, y);
-    const double slope = dot(normal, d);
-    const double w = offset / slope;
-    sure = sure && std::fabs(slope) > kLeastSlope * length(d);
-    if (!(w > 0.0)) {  // the plane's horizon crosses the cell
-      cell.near_w = 0.0;
-      cell.full_w = Bounds::kInf;
-      return;
-    }
-    least = std::min(least, w);
-    most = std::max(most, w);
+  const double u[2] = {m_raster.place(0, column - kCellSlack),
+                       m_raster.place(0, column + 1.0 + kCellSlack)};
+  const double v[2] = {m_raster.place(1, row - kCellSlack),
+                       m_raster.place(1, row + 1.0 + kCellSlack)};
+  const double along = w_of(normal), across = normal[m_raster.axis(0)],
+               up = normal[m_raster.axis(1)];
+  // Of the plane to the directions of the corners, positive where they meet it.
+  const double sign = offset < 0.0 ? -1.0 : 1.0;
+  const double at[2] = {sign * (along + across * u[0]), sign * (along + across * u[1])};
+  const double more[2] = {sign * up * v[0], sign * up * v[1]};
+  const double least = std::min(at[0], at[1]) + std::min(more[0], more[1]);
+  const double most = std::max(at[0], at[1]) + std::max(more[0], more[1]);
+  if (!(offset != 0.0 && least > 0.0)) {  // the plane's horizon crosses the cell
+    cell.near_w = 0.0;
+    cell.full_w = Bounds::kInf;
+    return;
   }
-  cell.near_w = lower(least);
-  cell.full_w = sure ? upper(most) : Bounds::kInf;
+  const double away = std::fabs(offset);
+  cell.near_w = lower(away / most);
+  constexpr double kLongest = 1.7320509;  // of a direction on the face
+  cell.full_w =
+      inside && least > kLeastSlope * kLongest * 1.01 ? upper(away / least) : Bounds::kInf;
 }
 
 void LightOutline::flat(std::span<const Vec3> ends, const Vec3& normal, double offset,
@@ -251,6 +254,7 @@ void LightOutline::flat(std::span<const Vec3> ends, const Vec3& normal, double o
   if (r.empty) return;
 
   const int width = r.last[0] - r.first[0] + 1, height = r.last[1] - r.first[1] + 1;
+  if (width == 1 || height == 1) return all(r, lower(w0), out);
   if (width < 3 || height < 3) {  // too narrow for a cell without an edge
     clear_rows(r);
     for (std::size_t i = 0; i + 1 < ends.size(); i += 2) {

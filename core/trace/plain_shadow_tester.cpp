@@ -52,7 +52,7 @@ Visibility PlainShadowTester::search(const ShadowQuery& query) {
         m_hierarchy.any_opaque(query.ray, start(query), reach, m_context.lists, m_test_counters);
   }
   if (blocker) return {Rgb(0.0f), blocker};
-  if (!m_any_transparent && !m_dimmed_by_air) return {};
+  if (!m_dimmed_by_air && !(m_any_transparent && (!buffer || buffer->may_filter(*spot)))) return {};
   return {filter_through(query, buffer, spot, reach), nullptr};
 }
 
