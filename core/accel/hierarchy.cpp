@@ -8,6 +8,8 @@
 #include <optional>
 #include <string>
 
+#include "core/accel/bundle_tree.h"
+#include "core/accel/nearest_rule.h"
 #include "core/accel/object_tree.h"
 #include "core/numeric/box_ray.h"
 #include "core/object/leaf.h"
@@ -65,11 +67,7 @@ struct NoTally : CountNothing {
   void test(std::uint8_t, std::uint32_t = 1) {}
 };
 
-/// The double after a distance, which is positive and finite.
-double next_up(double t) { return std::bit_cast<double>(std::bit_cast<std::uint64_t>(t) + 1); }
-
-/// Nearest hit so far. Of equal distances wins the object whose box the ray enters first: what is left
-/// before what is entered. Then the object first in the scene, infinite ones before others.
+/// Nearest hit so far; core/accel/nearest_rule.h.
 struct Best {
   double t;
   const ObjectEntry* entry = nullptr;
@@ -81,15 +79,6 @@ struct Best {
   /// Below which hits count: equal distances are found, but the limit itself is out of reach.
   double reach() const { return entry ? next_up(t) : t; }
 };
-
-/// Who wins where both are hit at once.
-[[gnu::noinline, gnu::cold]] bool wins_tie(const ObjectEntry& e, const ObjectEntry& over,
-                                           const Ray& ray) {
-  // As floats: by how much bounds are larger than what they hold does not count.
-  const auto enters = static_cast<float>(entry_distance(e.object->bounds(), ray));
-  const auto other = static_cast<float>(entry_distance(over.object->bounds(), ray));
-  return enters < other || (enters == other && e.index < over.index);
-}
 
 template <class T>
 struct NearestSearch {
@@ -210,6 +199,14 @@ struct AllSearch {
 
 }  // namespace
 
+[[gnu::noinline, gnu::cold]] bool wins_tie(const ObjectEntry& e, const ObjectEntry& over,
+                                           const Ray& ray) {
+  // As floats: by how much bounds are larger than what they hold does not count.
+  const auto enters = static_cast<float>(entry_distance(e.object->bounds(), ray));
+  const auto other = static_cast<float>(entry_distance(over.object->bounds(), ray));
+  return enters < other || (enters == other && e.index < over.index);
+}
+
 struct Hierarchy::Impl {
   Impl(const std::vector<std::unique_ptr<Object>>& objects, Accelerator accelerator, bool portable);
 
@@ -223,6 +220,7 @@ struct Hierarchy::Impl {
   // For shadow rays, where some objects cast no shadow or a filtered one: opaque casters alone,
   // and the others.
   std::optional<ObjectTree> opaque, filters;
+  std::optional<BundleTree> bundles;  ///< of `all`; none: they do not pay
 
   double reach = 0.0;  ///< the farthest coordinate of any finite object
 
@@ -328,6 +326,7 @@ Hierarchy::Impl::Impl(const std::vector<std::unique_ptr<Object>>& objects, Accel
     filters.emplace(std::move(filtering), accelerator, portable);
   }
   all.emplace(std::move(list), accelerator, portable);
+  if (!bundles.emplace(*all).works()) bundles.reset();
 }
 
 Hierarchy::Hierarchy(const std::vector<std::unique_ptr<Object>>& objects, Accelerator accelerator,
@@ -354,6 +353,24 @@ bool Hierarchy::nearest(const Ray& ray, double t_min, double t_max, RayKind kind
   }
   NoTally none;
   return m_impl->nearest(ray, t_min, t_max, kind, hit, lists, none);
+}
+
+bool Hierarchy::takes_bundles() const { return m_impl->bundles.has_value(); }
+
+bool Hierarchy::nearest(const RayBundle& rays, double t_min, RayKind kind, BundleHits& hits,
+                        HitLists& lists) const {
+  const BundleTree::Query query{t_min,
+                                kFarthest,
+                                static_cast<std::uint8_t>(unseen_by(kind) & m_impl->any_flags),
+                                {lists, kind}};
+  if (!m_impl->bundles->nearest(rays, query, hits)) return false;
+  for (int i = 0; i < rays.count(); ++i) {
+    BundleHits::Answer& answer = hits.answer[static_cast<std::size_t>(i)];
+    if (answer == BundleHits::Answer::kMissed && m_impl->may_see_afar(rays.ray(i))) {
+      answer = BundleHits::Answer::kUnknown;
+    }
+  }
+  return true;
 }
 
 const Object* Hierarchy::any_opaque(const Ray& ray, double t_min, double t_max, HitLists& lists,
@@ -405,6 +422,7 @@ bool Hierarchy::has_infinite() const { return m_impl->infinite > 0; }
 
 std::size_t Hierarchy::memory() const {
   std::size_t bytes = sizeof(Impl) + m_impl->all->memory();
+  if (m_impl->bundles) bytes += m_impl->bundles->memory();
   if (m_impl->opaque) bytes += m_impl->opaque->memory() + m_impl->filters->memory();
   return bytes;
 }

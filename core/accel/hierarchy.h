@@ -17,6 +17,9 @@
 
 namespace lentray::core {
 
+class RayBundle;
+struct BundleHits;
+
 class Hierarchy {
  public:
   /// Borrows the objects. Other accelerators are for comparison and tests; `portable` keeps the
@@ -30,6 +33,13 @@ class Hierarchy {
   /// first in the scene, so that the answer does not depend on the order of traversal.
   bool nearest(const Ray& ray, double t_min, double t_max, RayKind kind, Hit& hit, HitLists& lists,
                Counters* counters) const;
+
+  /// Whether the rays of a bundle can be searched together.
+  bool takes_bundles() const;
+  /// If so: their nearest hits beyond t_min, the same bits as for each alone. False: nothing is known, for the
+  /// rays are too far apart. The bundle is filled up.
+  bool nearest(const RayBundle& rays, double t_min, RayKind kind, BundleHits& hits,
+               HitLists& lists) const;
 
   /// Any opaque object (Object::is_opaque) hit with t_min < t < t_max, or null. Shadow rays.
   const Object* any_opaque(const Ray& ray, double t_min, double t_max, HitLists& lists,

@@ -43,6 +43,8 @@ struct ObjectList {
 };
 
 class ObjectTree {
+  friend class BundleTree;
+
  public:
   /// `portable`: no AVX2 even where there is any.
   ObjectTree(ObjectList objects, Accelerator accelerator, bool portable);

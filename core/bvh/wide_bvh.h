@@ -193,6 +193,11 @@ class WideBvh {
   bool empty() const { return m_nodes.empty(); }
   std::size_t memory() const;
   const Statistics& statistics() const { return m_statistics; }
+  /// For walks of others (core/bundle): the root first.
+  std::span<const WideNode> nodes() const { return m_nodes; }
+  const WideFrame& frame() const { return m_frame; }
+  /// The most children that a walk has still to visit.
+  static constexpr int most_waiting() { return kStack; }
 
   /// Calls leaf(first, count, t_max) for the leaves the ray may meet, near ones first. The leaf
   /// tests the parts at places first .. first + count - 1, lowers t_max (double&) to what is

@@ -9,6 +9,7 @@
 
 #include "core/base/deep_threads.h"
 #include "core/render/frame_progress.h"
+#include "core/trace/first_hits.h"
 #include "core/trace/illumination.h"
 #include "core/trace/indirect_light.h"
 #include "core/trace/integrator.h"
@@ -60,7 +61,10 @@ void take_jobs(Work& work) {
   const std::unique_ptr<ShadowTester> tester = work.shadows.make(context);
   const std::unique_ptr<IndirectLight> indirect = make_indirect_light(context, *tester);
   Integrator integrator(context, *tester);
-  Sampler sampler(work.camera, {work.options.angles, work.options.alpha}, integrator);
+  std::optional<FirstHits> hits;
+  if (work.options.bundles) hits.emplace(context);
+  Sampler sampler(work.camera, {work.options.angles, work.options.alpha}, integrator,
+                  hits ? &*hits : nullptr);
   std::optional<FrameMeter> meter;
   if (work.progress) meter.emplace(*work.progress);
   static constexpr std::atomic<bool> kNever{false};

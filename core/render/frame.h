@@ -25,7 +25,8 @@ struct FrameOptions {
   bool count_tests = false;  ///< fill bounds and primitive tests (Statistics_File)
   bool alpha = false;        ///< +UA, for a scene with SceneSettings::alpha
   Antialiasing antialiasing{};
-  int angles = 1;                              ///< Antialias_Angle, see SamplerOptions
+  bool bundles = true;  ///< rays of neighbouring pixels are searched together: the same bits
+  int angles = 1;       ///< Antialias_Angle, see SamplerOptions
   const Illumination* illumination = nullptr;  ///< what passes left (core/pass); null: none
   std::optional<PixelRegion> region{};  ///< the pixels that are rendered; the others are black
   PictureLedger* ledger =

@@ -7,6 +7,21 @@
 
 namespace lentray::core {
 
+std::size_t Sampler::find_hits(std::span<const Pixel> pixels) {
+  m_rays.clear();
+  for (std::size_t i = 0; i < pixels.size(); ++i) {
+    Ray ray;
+    m_has_ray[i] = m_camera.ray(pixels[i].column + 0.5, pixels[i].row + 0.5, ray);
+    if (m_has_ray[i]) m_rays.push_back(ray);
+  }
+  if (m_rays.empty()) return pixels.size();
+  std::size_t rays = m_hits->find(m_rays);
+  if (rays == m_rays.size()) return pixels.size();
+  std::size_t i = 0;
+  for (; rays > 0; ++i) rays -= m_has_ray[i] ? 1 : 0;
+  return i;
+}
+
 bool Sampler::sample(const PixelPlace& place, std::uint32_t index, Radiance& out) {
   const std::uint64_t key = sample_key(place.column, place.row, index);
   if (m_options.angles <= 1) return direction(place, key, out);

@@ -3,10 +3,15 @@
 // World space, colours linear in the scene's working space. One a thread.
 #pragma once
 
+#include <algorithm>
+#include <array>
+#include <cstddef>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "core/render/ray_source.h"
+#include "core/trace/first_hits.h"
 #include "core/trace/integrator.h"
 
 namespace lentray::core {
@@ -18,16 +23,19 @@ struct SamplerOptions {
 
 class Sampler {
  public:
-  Sampler(const RaySource& camera, const SamplerOptions& options, Integrator& integrator)
+  /// `hits`: finds what neighbouring rays meet; null: each ray is searched for alone.
+  Sampler(const RaySource& camera, const SamplerOptions& options, Integrator& integrator,
+          FirstHits* hits)
       : m_camera(camera), m_blur(camera.blur()), m_options(options),
         m_is_mean(options.angles > 1 || m_blur || camera.rays_a_place() > 1),
-        m_integrator(integrator) {}
+        m_integrator(integrator), m_hits(hits && hits->works() && !m_is_mean ? hits : nullptr) {}
 
   /// Sample 0 of each of those pixels of the image, at their centres: `keep(pixel, radiance)`.
   /// Pixels without a ray are black and counted. False if `stop()` said so before one of them.
   template <class Keep, class Stop>
   bool centres(const std::vector<Pixel>& pixels, Counters& counters, const Keep& keep,
                const Stop& stop) {
+    if (m_hits) return centres_together(pixels, counters, keep, stop);
     for (const Pixel& pixel : pixels) {
       if (stop()) return false;
       Radiance seen;
@@ -45,6 +53,35 @@ class Sampler {
   bool sample(const PixelPlace& place, std::uint32_t index, Radiance& out);
 
  private:
+  /// Block after block of pixels: what their rays meet first, then each of them.
+  template <class Keep, class Stop>
+  bool centres_together(std::span<const Pixel> pixels, Counters& counters, const Keep& keep,
+                        const Stop& stop) {
+    while (!pixels.empty()) {
+      const auto block =
+          pixels.first(find_hits(pixels.first(std::min(pixels.size(), FirstHits::kMost))));
+      std::size_t ray = 0;
+      for (std::size_t i = 0; i < block.size(); ++i) {
+        if (stop()) return false;
+        Radiance seen;
+        if (m_has_ray[i]) {
+          seen = of_block(block[i], ray++);
+        } else {
+          ++counters.dark_pixels;
+        }
+        keep(block[i], seen);
+      }
+      pixels = pixels.subspan(block.size());
+    }
+    return true;
+  }
+  /// The rays of these pixels, and what those of the first of them meet: of how many.
+  std::size_t find_hits(std::span<const Pixel> pixels);
+  Radiance of_block(const Pixel& pixel, std::size_t i) {
+    const Ray& ray = m_rays[i];
+    if (!m_hits->is_known(i)) return m_integrator.trace(ray, pixel);
+    return m_integrator.trace_met(ray, pixel, m_hits->hit(i));
+  }
   /// Of a pixel's centre; false if there is no ray.
   bool one_ray(const Pixel& pixel, Radiance& out) {
     Ray ray;
@@ -68,6 +105,9 @@ class Sampler {
   const SamplerOptions m_options;
   const bool m_is_mean;  ///< whether a sample is more than one ray
   Integrator& m_integrator;
+  FirstHits* const m_hits;                         ///< null: each ray is searched for alone
+  std::vector<Ray> m_rays;                         ///< of a block of pixels
+  std::array<bool, FirstHits::kMost> m_has_ray{};  ///< of its pixels
 };
 
 }  // namespace lentray::core

@@ -53,10 +53,23 @@ Integrator::Integrator(ThreadContext& context, ShadowTester& shadows, const Path
 
 Radiance Integrator::follow(const RayState& state) { return follow_here(state); }
 
-Radiance Integrator::trace(const Ray& ray, Pixel pixel, std::uint64_t key) {
+[[gnu::always_inline]] inline RayState Integrator::begin(const Ray& ray, Pixel pixel,
+                                                         std::uint64_t key) {
   m_context.interiors.forget_if_large();
   if (m_context.indirect) m_context.indirect->begin(pixel, is_first_sample(pixel, key), key);
-  return follow_here(m_stepper.begin(ray, pixel, key));
+  return m_stepper.begin(ray, pixel, key);
+}
+
+Radiance Integrator::trace(const Ray& ray, Pixel pixel, std::uint64_t key) {
+  return follow_here(begin(ray, pixel, key));
+}
+
+Radiance Integrator::trace_met(const Ray& ray, Pixel pixel, std::uint64_t key, const Hit* hit) {
+  const RayState state = begin(ray, pixel, key);
+  if (m_stepper.is_cut(state) || is_too_deep()) return {};
+  RayRecord& record = enter_ray();
+  m_stepper.see(state, hit, record);
+  return leave_ray(state, record);
 }
 
 GatheredRay Integrator::gather(const GatherRay& from) {

@@ -29,6 +29,8 @@ class Integrator {
 
   /// The light along a camera ray of a pixel; `key` is the sample's (core/trace/random_key.h).
   Radiance trace(const Ray& ray, Pixel pixel, std::uint64_t key);
+  /// The same of a ray that is known to meet this first; null: nothing.
+  Radiance trace_met(const Ray& ray, Pixel pixel, std::uint64_t key, const Hit* hit);
   /// Of the pixel's sample 0.
   Radiance trace(const Ray& ray, Pixel pixel) {
     static_assert(std::endian::native ==
@@ -40,7 +42,13 @@ class Integrator {
   /// outside of a sample that is traced begins the context's indirect light itself.
   GatheredRay gather(const GatherRay& ray);
 
+  /// The same as trace() of sample 0 of a ray that is known to meet this first.
+  Radiance trace_met(const Ray& ray, Pixel pixel, const Hit* hit) {
+    return trace_met(ray, pixel, std::bit_cast<std::uint64_t>(pixel), hit);
+  }
+
  private:
+  RayState begin(const Ray& ray, Pixel pixel, std::uint64_t key);
   Radiance follow(const RayState& state);
   /// The same without a call: most pictures have little more than camera rays.
   Radiance follow_here(const RayState& state);

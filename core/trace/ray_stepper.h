@@ -6,7 +6,6 @@
 // (tests/image/shading_depth_test.cpp).
 #pragma once
 
-#include <cmath>
 #include <cstdint>
 #include <memory>
 #include <vector>
@@ -23,6 +22,7 @@
 #include "core/trace/start_interiors.h"
 #include "core/trace/surface_shading.h"
 #include "core/trace/thread_context.h"
+#include "core/trace/unit_ray.h"
 
 namespace lentray::core {
 
@@ -32,13 +32,9 @@ class RayStepper {
 
   /// A camera ray of a pixel's sample.
   RayState begin(const Ray& ray, Pixel pixel, std::uint64_t key) {
-    constexpr double kUnitSlack = 1e-14;  // of the squared length of a direction
     m_context.pixel = pixel;
     ++m_context.counters.camera_rays;
-    RayState state{ray, key};
-    if (std::fabs(length_squared(ray.direction) - 1.0) > kUnitSlack) {
-      state.ray.direction = normalized(ray.direction);
-    }
+    RayState state{unit_ray(ray), key};
     if (m_start_interiors) state.inside = m_start_interiors->at(ray.origin, m_context.interiors);
     return state;
   }
