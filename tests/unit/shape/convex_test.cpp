@@ -47,7 +47,9 @@ TEST_P(UnitShapeConvex, SidesAgreeWithWhatTheShapeHolds) {
       const Ray to_surface{p, point() - p};
       if (i % 2 == 0 && shape->nearest(to_surface, -10.0, 10.0, hit)) {
         p = to_surface.at(hit.t) + point() * (i % 4 == 0 ? 0.0 : 2e-6);
-        if (i % 4 == 0) ASSERT_EQ(convex.side(p), Side::kNear) << shape->name() << i;
+        if (i % 4 == 0) {
+          ASSERT_EQ(convex.side(p), Side::kNear) << shape->name() << i;
+        }
       }
       const Side side = convex.side(p);
       if (side == Side::kNear) continue;
