@@ -4,25 +4,12 @@
 #include <utility>
 
 #include "core/numeric/box_ray.h"
+#include "core/object/csg_convex.h"
+#include "core/object/csg_rounding.h"
 #include "core/object/csg_search.h"
 
 namespace lentray::core {
 namespace {
-
-constexpr double kCoincide = 1e-9;  ///< of the distances: roundings of hits stay below
-constexpr double kOfFar = 1e-9;     ///< of the largest t: its rounding
-
-/// The sizes that the rounding of a hit at t goes by.
-double distances(const Ray& ray, double t) {
-  return std::fabs(t) + std::fabs(ray.origin.x) + std::fabs(ray.origin.y) + std::fabs(ray.origin.z);
-}
-
-/// Of t, by where the ray begins.
-double rounding_of_place(const Ray& ray) {
-  constexpr double kOfPlace = 1e-11;
-  const auto size = [](const Vec3& v) { return std::fabs(v.x) + std::fabs(v.y) + std::fabs(v.z); };
-  return kOfPlace * size(ray.origin) / size(ray.direction);
-}
 
 std::string_view keyword(CsgKind kind) {
   switch (kind) {
@@ -55,22 +42,8 @@ class ScratchHits {
 }  // namespace
 
 /// Where a ray is in the core, and what it meets of it.
-struct Csg::Chord {
+struct Csg::Chord : Passage {
   const std::vector<Hit>& hits;  ///< all beyond t_min
-  double from, to;  ///< between which t, widened by more than rounding, any part's hits can be kept
-
-  Chord(const std::vector<Hit>& found, const Ray& ray, double t_min, bool convex)
-      : hits(found), from(t_min), to(found[0].t) {
-    double first = to;
-    for (const Hit& hit : found) {
-      to = std::max(to, hit.t);
-      first = std::min(first, hit.t);
-    }
-    const double slack = kOfFar * (std::fabs(first) + std::fabs(to)) + rounding_of_place(ray);
-    if (convex && found.size() > 1) from = first - slack;
-    to += slack;
-  }
-  bool has(double t) const { return t >= from && t <= to; }
 };
 
 /// Between which t of a ray many convex parts overlap: where it has entered the last of them and not left
@@ -289,7 +262,10 @@ void Csg::for_children_met(const Ray& ray, double t_min, double t_max, const Ray
     std::vector<Hit>& found = *scratch;
     core.all(ray, t_min, Bounds::kInf, found, query);
     if (found.empty()) return;  // nowhere beyond t_min
-    const Chord chord(found, ray, t_min, core.convexity() == Convexity::kConvex);
+    const auto [first, last] = std::minmax_element(
+        found.begin(), found.end(), [](const Hit& a, const Hit& b) { return a.t < b.t; });
+    const bool is_whole = found.size() > 1 && core.convexity() == Convexity::kConvex;
+    const Chord chord{{ray, t_min, first->t, last->t, is_whole}, found};
     if (!(chord.from < t_max) || visit(m_core, t_max, &chord)) return;
     for (std::size_t i = m_children.size(); i-- > 0;) {
       if (i != m_core && visit(i, t_max, &chord)) return;
@@ -399,14 +375,18 @@ bool Csg::nearest(const Ray& ray, double t_min, double t_max, Hit& hit,
 /// Nearest before own clips. Where surfaces coincide the last child's counts.
 bool Csg::kept_nearest(const Ray& ray, double t_min, double t_max, Hit& hit,
                        const RayQuery& query) const {
-  if (is_special()) [[unlikely]]
-    return special_nearest(ray, t_min, t_max, hit, query);
+  if (m_way != Way::kParts) return special_nearest(ray, t_min, t_max, hit, query);
   return nearest_of_parts<false>(ray, t_min, t_max, hit, query);
 }
 
 [[gnu::noinline]] bool Csg::special_nearest(const Ray& ray, double t_min, double t_max, Hit& hit,
                                             const RayQuery& query) const {
-  if (m_core == kHidden) return nearest_of_parts<true>(ray, t_min, t_max, hit, query);
+  if (m_way == Way::kHidden) return nearest_of_parts<true>(ray, t_min, t_max, hit, query);
+  if (m_way == Way::kConvex) {
+    const Answer answer = m_convex->nearest(ray, t_min, t_max, hit);
+    return answer == Answer::kUnclear ? nearest_of_parts<false>(ray, t_min, t_max, hit, query)
+                                      : answer == Answer::kYes;
+  }
   std::size_t owner = kNobody;
   for_kept_of_overlap(ray, t_min, t_max, query, [&](std::size_t part, const Hit& next) {
     if (!(next.t < t_max || (next.t == t_max && owner != kNobody && part > owner))) return false;
@@ -451,14 +431,18 @@ template <bool kHides>
 
 bool Csg::any(const Ray& ray, double t_min, double t_max, const RayQuery& query) const {
   if (ball().is_missed_by(ray)) return false;
-  if (is_special()) [[unlikely]]
-    return special_any(ray, t_min, t_max, query);
+  if (m_way != Way::kParts) return special_any(ray, t_min, t_max, query);
   return any_of_parts<false>(ray, t_min, t_max, query);
 }
 
 [[gnu::noinline]] bool Csg::special_any(const Ray& ray, double t_min, double t_max,
                                         const RayQuery& query) const {
-  if (m_core == kHidden) return any_of_parts<true>(ray, t_min, t_max, query);
+  if (m_way == Way::kHidden) return any_of_parts<true>(ray, t_min, t_max, query);
+  if (m_way == Way::kConvex) {
+    const Answer answer = clips().empty() ? m_convex->any(ray, t_min, t_max) : Answer::kUnclear;
+    return answer == Answer::kUnclear ? any_of_parts<false>(ray, t_min, t_max, query)
+                                      : answer == Answer::kYes;
+  }
   bool found = false;
   for_kept_of_overlap(ray, t_min, t_max, query, [&](std::size_t, const Hit& h) {
     return found = h.t < t_max && passes_clips(ray.at(h.t));
@@ -489,14 +473,17 @@ template <bool kHides>
 void Csg::all(const Ray& ray, double t_min, double t_max, std::vector<Hit>& hits,
               const RayQuery& query) const {
   if (ball().is_missed_by(ray)) return;
-  if (is_special()) [[unlikely]]
-    return special_all(ray, t_min, t_max, hits, query);
+  if (m_way != Way::kParts) return special_all(ray, t_min, t_max, hits, query);
   all_of_parts<false>(ray, t_min, t_max, hits, query);
 }
 
 [[gnu::noinline]] void Csg::special_all(const Ray& ray, double t_min, double t_max,
                                         std::vector<Hit>& hits, const RayQuery& query) const {
-  if (m_core == kHidden) return all_of_parts<true>(ray, t_min, t_max, hits, query);
+  if (m_way == Way::kHidden) return all_of_parts<true>(ray, t_min, t_max, hits, query);
+  if (m_way == Way::kConvex) {
+    if (clips().empty() && m_convex->all(ray, t_min, t_max, hits)) return;
+    return all_of_parts<false>(ray, t_min, t_max, hits, query);
+  }
   for_kept_of_overlap(ray, t_min, t_max, query, [&](std::size_t, const Hit& h) {
     if (h.t < t_max && passes_clips(ray.at(h.t))) hits.push_back(h);
     return false;

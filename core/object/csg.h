@@ -4,6 +4,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <memory>
 #include <string_view>
 #include <vector>
@@ -11,6 +12,8 @@
 #include "core/object/object.h"
 
 namespace lentray::core {
+
+class ConvexParts;
 
 enum class CsgKind { kUnion, kIntersection, kDifference, kMerge };
 
@@ -57,8 +60,13 @@ class Csg final : public Object {
   struct Overlap;
   struct Hidden;
   static constexpr std::size_t kNobody = ~std::size_t{0};
-  static constexpr std::size_t kHidden = kNobody - 1, kOverlap = kNobody - 2;
-  bool is_special() const { return m_core - kOverlap < 2; }
+  /// How its crossings are found.
+  enum class Way : std::uint8_t {
+    kParts,   ///< each part's, and what the others keep of them
+    kHidden,  ///< the same of a union or merge with parts that are invisible to some rays
+    kOverlap,  ///< of an intersection of many convex parts, and of the inverse of one: where all overlap
+    kConvex,  ///< of few convex parts: where the ray is in each; what that leaves open as kParts
+  };
 
   /// Calls visit(child, t_max&, chord) for the children that the ray may hit.
   template <bool kHides, class Visit>
@@ -85,12 +93,12 @@ class Csg final : public Object {
              const RayQuery& query) const;
   bool any_seen_inside(const Vec3& p, std::size_t except, RayKind kind) const;
   bool kept_nearest(const Ray&, double t_min, double t_max, Hit&, const RayQuery&) const;
-  // Where m_core is kHidden or kOverlap: apart, for few are such.
+  // All other ways than kParts: apart, for few ask for them.
   bool special_nearest(const Ray&, double t_min, double t_max, Hit&, const RayQuery&) const;
   bool special_any(const Ray&, double t_min, double t_max, const RayQuery&) const;
   void special_all(const Ray&, double t_min, double t_max, std::vector<Hit>&,
                    const RayQuery&) const;
-  // kHides: m_core is kHidden; else somebody or nobody.
+  // kHides: the way is kHidden.
   template <bool kHides>
   bool nearest_of_parts(const Ray&, double t_min, double t_max, Hit&, const RayQuery&) const;
   template <bool kHides>
@@ -107,13 +115,13 @@ class Csg final : public Object {
   Bounds m_surface, m_solid, m_void;  ///< before own clips
   bool m_kept_whole = false;
   bool m_asks_boxes = true;  ///< of few children; false where their own tests are as quick
-  /// The index of a closed part that contains all of an intersection of few parts. Else kNobody;
-  /// kHidden where parts of a union or merge are invisible to some rays; kOverlap for an intersection of
-  /// many convex parts, and for the inverse of one.
+  Way m_way = Way::kParts;
+  /// The index of a closed part that contains all of an intersection of few parts; else kNobody.
   std::size_t m_core = kNobody;
   std::vector<Fence> m_fences;  ///< one a child; of many that are joined, made by build_search()
   std::unique_ptr<Search> m_search;  ///< where there are many children, from build_search() on
   std::vector<std::unique_ptr<Object>> m_children;
+  std::unique_ptr<const ConvexParts> m_convex;  ///< where the way is kConvex
 };
 
 }  // namespace lentray::core

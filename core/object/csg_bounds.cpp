@@ -4,6 +4,7 @@
 #include <numbers>
 #include <typeinfo>
 
+#include "core/object/csg_convex.h"
 #include "core/object/csg_search.h"
 #include "core/object/leaf.h"
 #include "core/shape/prism.h"
@@ -73,10 +74,12 @@ void Csg::fence_children() {
 
 /// Which boxes and parts are asked first. The core is the smallest there is.
 void Csg::choose_tests() {
-  m_core = hides_parts() ? kHidden : kNobody;
+  m_core = kNobody;
+  m_way = hides_parts() ? Way::kHidden : Way::kParts;
+  m_convex.reset();
   set_closed(false);
   if (m_children.size() >= kMany) {
-    if (m_core == kNobody && is_overlap()) m_core = kOverlap;
+    if (m_way == Way::kParts && is_overlap()) m_way = Way::kOverlap;
     return;
   }
   // A ball that is hardly larger than the box turns rays away for less.
@@ -88,7 +91,7 @@ void Csg::choose_tests() {
            kMuchLarger * (size.x * size.y + size.y * size.z + size.z * size.x);
   };
   m_asks_boxes = joins(m_kind) && !std::all_of(m_children.begin(), m_children.end(), is_tight);
-  set_closed(m_core != kHidden &&
+  set_closed(m_way != Way::kHidden &&
              std::all_of(m_children.begin(), m_children.end(),
                          [](const auto& child) { return child->is_closed(); }));
   if (joins(m_kind)) return;
@@ -100,6 +103,9 @@ void Csg::choose_tests() {
     least = radius;
     m_core = i;
   }
+  if (m_core == kNobody) return;
+  m_convex = ConvexParts::of(m_children, m_core, m_kind == CsgKind::kIntersection);
+  if (m_convex) m_way = Way::kConvex;
 }
 
 /// Whether the surface is that of a solid in which all parts, or all their inverses, overlap.

@@ -25,10 +25,10 @@ class Box final : public FewCrossings<Box, Crossing, 2> {
   Vec2 uv(const Vec3& p, const ShapeHit& hit) const override;
   /// Under moves and scales along the axes.
   std::unique_ptr<Shape> baked(const Transform& t) const override;
+  /// core/shape/crossings.h.
+  int crossings(const Ray& ray, double t_min, double t_max, bool first_alone, Crossing* out) const;
 
  private:
-  friend FewCrossings;
-  int crossings(const Ray& ray, double t_min, double t_max, bool first_alone, Crossing* out) const;
   Vec3 m_lo, m_hi;
 };
 

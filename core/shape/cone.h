@@ -15,9 +15,7 @@ class Cone final : public FewCrossings<Cone, Crossing, 2, Frustum> {
   ShapeTraits traits() const override { return traits_as("cone"); }
   /// Under similarities.
   std::unique_ptr<Shape> baked(const Transform& t) const override;
-
- private:
-  friend FewCrossings;
+  /// core/shape/crossings.h.
   int crossings(const Ray& ray, double t_min, double t_max, bool first_alone, Crossing* out) const;
 };
 

@@ -17,9 +17,7 @@ class Cylinder final : public FewCrossings<Cylinder, Crossing, 2, Frustum> {
   ShapeTraits traits() const override { return traits_as("cylinder"); }
   /// Under similarities.
   std::unique_ptr<Shape> baked(const Transform& t) const override;
-
- private:
-  friend FewCrossings;
+  /// core/shape/crossings.h.
   int crossings(const Ray& ray, double t_min, double t_max, bool first_alone, Crossing* out) const;
 };
 

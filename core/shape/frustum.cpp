@@ -46,6 +46,20 @@ bool Frustum::within(const Vec3& p) const {
          z <= m_length * (1.0 + slack);
 }
 
+Side Frustum::side(const Vec3& p, double margin) const {
+  if (is_degenerate()) return Side::kNear;
+  const Vec3 q = p - m_base;
+  const double z = dot(q, m_axis);
+  if (z < -margin || z > m_length + margin) return Side::kOutside;
+  const Vec3 across = q - m_axis * z;
+  const double r = m_base_radius + m_slope * z;
+  const double widest = std::max({m_base_radius, m_cap_radius, std::fabs(r)});
+  const double wide = margin * (1.0 + std::fabs(m_slope));
+  const Side of_side = side_by(dot(across, across) - r * r, (2.0 * widest + wide) * wide);
+  const bool is_near_end = z < margin || z > m_length - margin;
+  return of_side == Side::kInside && is_near_end ? Side::kNear : of_side;
+}
+
 Vec3 Frustum::normal(const Vec3& p, const ShapeHit& hit) const {
   if (hit.element == kBase) return -m_axis;
   if (hit.element == kCap) return m_axis;

@@ -4,6 +4,7 @@
 
 #include "core/shape/crossings.h"
 #include "core/shape/shape.h"
+#include "core/shape/side.h"
 
 namespace lentray::core {
 
@@ -20,6 +21,8 @@ class Frustum : public Shape {
   void hull(std::vector<Vec3>& points) const;
   /// An open one is as solid as a closed one.
   bool holds(const Vec3& p, bool inverse) const final { return within(p) != inverse; }
+  /// Of a closed one. The margin must be larger than a millionth of its size.
+  Side side(const Vec3& p, double margin) const;
   /// ShapeHit::element: 0 side, 1 base, 2 cap.
   Vec3 normal(const Vec3& p, const ShapeHit& hit) const final;
 

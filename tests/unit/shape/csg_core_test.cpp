@@ -24,6 +24,17 @@ constexpr const char* kObjects[] = {
     "difference { cylinder { -y, y, .8 open } box { <-2,.2,-2>, <2,2,0> } }",
     "intersection { box { -1, 1 } box { <-1,-.5,-1>, <1,.5,2> } sphere { 0, 1.2 } clipped_by { "
     "plane { y, .3 } } }",
+    "difference { box { -1, 1 } box { <-2,-.8,-.8>, <2,.8,.8> rotate 30*y } box { <-.8,-2,-.8>, "
+    "<.8,2,.8> scale <1,1,.01> } box { <-.8,-.8,-2>, <.8,.8,2> } }",
+    "difference { cone { -y, 1, y, .4 } sphere { 0, .5 scale <1,2,1> rotate 20*z } cone { -2*y, "
+    ".3, "
+    "y, .3 } plane { y, -.5 } }",
+    "intersection { box { -1, <1,.5,1> } plane { x + y, .5 } cylinder { -y, y, 1.1 } sphere { "
+    ".5*y, "
+    ".9 inverse } plane { -z, .5 } }",
+    "difference { box { -1, <1,.5,1> } box { <-.5,-1,-.5>, .5 } cylinder { <.5,-2,0>, <.5,.5,0>, "
+    ".4 } "
+    "}",
     "difference { superellipsoid { <.3,.5> } merge { sphere { x, .6 } sphere { .5*y, .6 } } "
     "bounded_by { box { -.9, 1 } } }",
     "intersection { difference { sphere { 0, 1 } cylinder { -2*y, 2*y, .3 } } box { -.8, .8 rotate "
