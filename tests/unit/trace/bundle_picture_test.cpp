@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "camera/lenticular.h"
-#include "camera/perspective.h"
+#include "camera/projected.h"
 #include "core/render/frame.h"
 #include "core/trace/plain_shadow_tester.h"
 #include "shadow/pixel_orders.h"
@@ -77,7 +77,11 @@ std::vector<std::unique_ptr<camera::Camera>> cameras() {
   projection.direction = {0, 0, 1};
   projection.right = {1.6, 0, 0};
   projection.up = {0, 0.8, 0};
-  all.push_back(std::make_unique<camera::Perspective>(projection, kWidth, kHeight));
+  for (const camera::ProjectedKind kind :
+       {camera::ProjectedKind::kPerspective, camera::ProjectedKind::kOrthographic}) {
+    all.push_back(std::make_unique<camera::Projected>(kind, projection, camera::ProjectedAngles{},
+                                                      kWidth, kHeight));
+  }
   for (const double distance : {Bounds::kInf, 300.0}) {
     camera::LensParameters lens;
     lens.pixels = 15;
