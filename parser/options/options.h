@@ -122,7 +122,7 @@ struct RenderOptions {
 
   // Ours besides.
   std::string pixel_order = "auto", shadow_cache = "auto", accelerator = "bvh";
-  bool specialised_paths = true;  ///< what the scene does not use is left out
+  bool specialised_paths = true;  ///< what the scene does not use is left out; rays go together
   bool light_buffer = true;       ///< +UL: shadow rays to point lights look where the light sees
   double max_time = 0.0;          ///< seconds for the whole run; 0: no limit
   double max_memory = 0.0;        ///< bytes; 0: half of the machine's

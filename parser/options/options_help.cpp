@@ -203,7 +203,7 @@ constexpr OptionHelp kWork[] = {
      "Which occluders shadow rays try first."},
     {"Accelerator", "bvh|grid|list", "How objects are searched."},
     {"Specialised_Paths", kSwitch,
-     "Rays take paths that leave out what the scene does not use (on)."},
+     "What the scene does not use is left out; neighbouring rays go together (on)."},
     {"Light_Buffer", kSwitch,
      "Shadow rays to point lights are looked up where the light sees (on)."},
     {"Statistics_File", "file", "Counts, times and the lens, as JSON."},

@@ -129,8 +129,7 @@ def count(program, scene, more, args):
 
 
 def work_on(scene, args):
-    before, after = (count(program, scene, more, args) for program, more in
-                     zip(args.programs, (args.before_option, [])))
+    before, after = (count(program, scene, more, args) for program, more in args.sides)
     failed = [f"{when} {what}" for when, what in (("before", before), ("after", after)) if isinstance(what, str)]
     if failed:
         return Cost(before, after, "; ".join(failed)), "; ".join(failed)
@@ -195,8 +194,6 @@ def read_arguments():
                         help="greatest median of the ratios that passes (default 1.02)")
     parser.add_argument("--largest", type=float, default=1.05, metavar="R",
                         help="greatest ratio of a scene that passes (default 1.05)")
-    parser.add_argument("--before-option", action="append", default=[], metavar="OPTION",
-                        help="for BEFORE alone; may be given several times")
     parser.add_argument("--meter", choices=list(METERS), help="how to count (default: perf where it works)")
     args = two_builds.read_arguments(parser)
     args.meter = choose_meter(parser, args.meter)

@@ -3,6 +3,8 @@
   tests/bench/same_pictures.py BEFORE AFTER                    all kinds of scenes
   tests/bench/same_pictures.py BEFORE AFTER --only sheets      one kind
   tests/bench/same_pictures.py BEFORE AFTER --only random --random 500 --seed 7
+  tests/bench/same_pictures.py BUILD BUILD --before-option Specialised_Paths=Off
+                                                               rays together, and ray by ray
 
 Meant for changes of the program that must not change a picture. BEFORE and AFTER are folders with bin/lentray, as
 build/release, or the programs themselves. A build must not be rebuilt meanwhile: copy its bin folder first.
@@ -96,27 +98,29 @@ def values(picture):
     return numbers
 
 
-def render(program, scene, args, seconds):
+def render(side, scene, args, seconds):
+    program = side[0]
     with tempfile.TemporaryDirectory(dir=args.work) as folder:
         file = pathlib.Path(folder) / "picture.ppm"
-        status, said = two_builds.run(command(program, scene, args, file), scene.path.parent, seconds)
+        status, said = two_builds.run(command(side, scene, args, file), scene.path.parent, seconds)
         data = file.read_bytes() if file.is_file() else b""
     for own in (folder, str(program), str(program.parent)):
         said = said.replace(own, "")
     return Rendering(status, said, read_ppm(data) if status == 0 else None)
 
 
-def command(program, scene, args, file):
+def command(side, scene, args, file):
+    program, more = side
     return [program, f"+I{scene.path.name}", f"+O{file}", "+FP16", "-V", "Scene_Writes=memory",
-            f"+WT{args.threads}", *scene.options]
+            f"+WT{args.threads}", *scene.options, *more]
 
 
 def render_both(scene, args):
     """With more time for one that alone takes too long."""
-    sides = [render(program, scene, args, args.limit) for program in args.programs]
+    sides = [render(side, scene, args, args.limit) for side in args.sides]
     late = [k for k, side in enumerate(sides) if side.status is None]
     if len(late) == 1:
-        sides[late[0]] = render(args.programs[late[0]], scene, args, 3 * args.limit)
+        sides[late[0]] = render(args.sides[late[0]], scene, args, 3 * args.limit)
     return sides
 
 
@@ -183,9 +187,9 @@ def keep(scene, sides, args):
     if scene.kind == "random":
         (args.keep / (scene.path.name)).write_bytes(scene.path.read_bytes())
     lines = [f"# in {scene.path.parent if scene.kind != 'random' else args.keep}"]
-    for when, program, side in zip(("before", "after"), args.programs, sides):
+    for when, made_by, side in zip(("before", "after"), args.sides, sides):
         file = args.keep / f"{name}-{when}.ppm"
-        lines.append(shlex.join(map(str, command(program, scene, args, file))))
+        lines.append(shlex.join(map(str, command(made_by, scene, args, file))))
         if side.picture:
             p = side.picture
             file.write_bytes(b"P6\n%s%d %d\n%d\n" % (p.texts, p.width, p.height, p.most) + p.pixels)

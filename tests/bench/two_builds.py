@@ -36,7 +36,7 @@ def program(parser, text):
 def two_programs(parser, args):
     """Both of the command line; says so where a comparison cannot find anything."""
     before, after = program(parser, args.before), program(parser, args.after)
-    if before.read_bytes() == after.read_bytes():
+    if before.read_bytes() == after.read_bytes() and not args.before_option:
         print("note: both programs are the same file or copies of it", file=sys.stderr)
     return before, after
 
@@ -49,6 +49,8 @@ def parser_of(description, kinds, limit, limited):
     parser.add_argument("after", metavar="AFTER", help="the same of the other build")
     parser.add_argument("--only", action="append", choices=list(kinds),
                         help="this kind of scenes alone; may be given several times")
+    parser.add_argument("--before-option", action="append", default=[], metavar="OPTION",
+                        help="for BEFORE alone; may be given several times")
     parser.add_argument("--match", default="", metavar="WORD", help="only scenes whose name contains WORD")
     parser.add_argument("--jobs", type=int, default=1, metavar="N", help="scenes at a time (default 1)")
     parser.add_argument("--limit", type=float, default=limit, metavar="S",
@@ -57,7 +59,7 @@ def parser_of(description, kinds, limit, limited):
 
 
 def read_arguments(parser):
-    """The command line, with both programs."""
+    """The command line, with both programs, and these with their own options."""
     args = parser.parse_args()
     if args.jobs < 1:
         parser.error("--jobs must be at least 1")
@@ -65,6 +67,7 @@ def read_arguments(parser):
         parser.error("--limit must be above 0")
     args.only = args.only or []
     args.programs = two_programs(parser, args)
+    args.sides = list(zip(args.programs, (args.before_option, [])))
     return args
 
 

@@ -86,6 +86,7 @@ FilmSettings film_settings(const RenderOptions& o) {
   out.most_radiosity_samples = o.radiosity_samples;
   out.band_height = o.band_height;
   out.max_memory = o.max_memory;
+  out.bundles = o.specialised_paths;
   out.count_tests = !o.statistics_file.empty() && o.count_tests;
   out.log_shadows = o.shadow_log;
   return out;

@@ -242,6 +242,7 @@ shadow::RunReport Session::render(const Plan& plan, const Outlets& outlets) {
   frame.alpha = film.alpha;
   frame.antialiasing = film.antialiasing;
   frame.angles = film.angles;
+  frame.bundles = film.bundles;
   frame.region = plan.region;
   frame.ledger = outlets.ledger;
   frame.cancel = outlets.cancel;
