@@ -49,29 +49,50 @@ const ParametricCase kParametricCases[] = {
      " contained_by { box { 1, -1 } } max_gradient 2 accuracy .01"},
 };
 
-class ImageParametric : public ::testing::TestWithParam<ParametricCase> {};
+/// Stock takes seconds for the smallest pictures.
+class ImageParametric : public ::testing::TestWithParam<ParametricCase> {
+ protected:
+  static constexpr std::uint32_t kWidth = 28;
+  static void expect_alone(std::uint32_t width);
+  static void expect_uv_mapped(std::uint32_t width);
+  static void expect_in_csg(std::uint32_t width);
+};
+/// The same in larger pictures.
+class SlowParametric : public ImageParametric {
+ protected:
+  static constexpr std::uint32_t kWidth = 40;
+};
 
-::testing::AssertionResult same(const std::string& sdl, Grade grade) {
-  return same_as_stock(
-      {.sdl = kParametricStage + sdl, .width = 40, .height = 30, .arguments = {}, .files = {}},
-      grade);
+::testing::AssertionResult same(const std::string& sdl, std::uint32_t width, Grade grade) {
+  return same_as_stock({.sdl = kParametricStage + sdl,
+                        .width = width,
+                        .height = width * 3 / 4,
+                        .arguments = {},
+                        .files = {}},
+                       grade);
 }
 
-TEST_P(ImageParametric, Alone) {
+void ImageParametric::expect_alone(std::uint32_t width) {
   EXPECT_TRUE(same(std::string("parametric { ") + GetParam().sdl +
                        " pigment { rgb <.9,.5,.3> } finish { specular .4 } }",
-                   GetParam().grade));
+                   width, GetParam().grade));
 }
 
-TEST_P(ImageParametric, UvMapped) {
+TEST_P(ImageParametric, Alone) { expect_alone(kWidth); }
+TEST_P(SlowParametric, Alone) { expect_alone(kWidth); }
+
+void ImageParametric::expect_uv_mapped(std::uint32_t width) {
   EXPECT_TRUE(
       same(std::string("parametric { ") + GetParam().sdl +
                " pigment { uv_mapping checker rgb .2 rgb x scale .3 } finish { reflection .3 } }",
-           GetParam().grade));
+           width, GetParam().grade));
 }
 
+TEST_P(ImageParametric, UvMapped) { expect_uv_mapped(kWidth); }
+TEST_P(SlowParametric, UvMapped) { expect_uv_mapped(kWidth); }
+
 /// Cut, joined and clipped.
-SceneText in_csg(const std::string& surface) {
+SceneText in_csg(const std::string& surface, std::uint32_t width = 40) {
   const std::string one = "parametric { " + surface + " }";
   return {.sdl = kParametricStage + ("difference { " + one +
                                      " sphere { <.4,.4,-.8>, .7 } pigment { rgb <.3,.7,.9> } }\n"
@@ -83,16 +104,19 @@ SceneText in_csg(const std::string& surface) {
                                      one +
                                      " clipped_by { plane { x, 0 } } translate <1.3,.7,1>"
                                      " pigment { rgb <.9,.3,.8> } }"),
-          .width = 40,
-          .height = 30,
+          .width = width,
+          .height = width * 3 / 4,
           .arguments = {},
           .files = {}};
 }
 
-TEST_P(ImageParametric, InCsg) {
+void ImageParametric::expect_in_csg(std::uint32_t width) {
   if (std::string(GetParam().name) == "turned") GTEST_SKIP() << "ImageParametricAccuracy";
-  EXPECT_TRUE(same_as_stock(in_csg(GetParam().sdl), GetParam().grade));
+  EXPECT_TRUE(same_as_stock(in_csg(GetParam().sdl, width), GetParam().grade));
 }
+
+TEST_P(ImageParametric, InCsg) { expect_in_csg(kWidth); }
+TEST_P(SlowParametric, InCsg) { expect_in_csg(kWidth); }
 
 /// With a coarse accuracy stock darkens a dozen pixels of the floor that it leaves light with a fine
 /// one. With the fine one the pictures are equal, and each pixel with the coarse one is one of stock's.
@@ -118,8 +142,14 @@ TEST(ImageParametricAccuracy, DarkensNoMoreThanStock) {
   }
 }
 
+std::string parametric_name(const ::testing::TestParamInfo<ParametricCase>& one) {
+  return one.param.name;
+}
+
 INSTANTIATE_TEST_SUITE_P(Each, ImageParametric, ::testing::ValuesIn(kParametricCases),
-                         [](const auto& one) { return std::string(one.param.name); });
+                         parametric_name);
+INSTANTIATE_TEST_SUITE_P(Each, SlowParametric, ::testing::ValuesIn(kParametricCases),
+                         parametric_name);
 
 }  // namespace
 }  // namespace lentray::test

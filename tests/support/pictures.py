@@ -1,5 +1,6 @@
 """PNG, TIFF and JPEG files with what photographs say beside their pixels, written and read by nothing but Python's own
 library. A picture is a list of rows, a row a list of pixels, a pixel a tuple of samples."""
+import itertools
 import struct
 import zlib
 
@@ -28,6 +29,32 @@ def chunks_of(data):
     return out
 
 
+def unfiltered(kind, line, above, step):
+    """A row's bytes, from those of its filter and the row above; a pixel has `step` bytes."""
+    if kind == 0:
+        return line
+    if kind == 1:
+        out = bytearray(len(line))
+        for first in range(step):
+            out[first::step] = bytes(v & 255 for v in itertools.accumulate(line[first::step]))
+        return bytes(out)
+    if kind == 2:
+        return bytes((v + b) & 255 for v, b in zip(line, above))
+    # The pixel to the left and the one above it are 0 before the first.
+    out, corners = bytearray(step) + line, bytes(step) + above
+    if kind == 3:
+        for i, b in enumerate(above, step):
+            out[i] = (out[i] + (out[i - step] + b) // 2) & 255
+    elif kind == 4:
+        for i, b in enumerate(above, step):
+            a, c = out[i - step], corners[i - step]
+            to_a, to_b, to_c = abs(b - c), abs(a - c), abs(a + b - 2 * c)
+            out[i] = (out[i] + (a if to_a <= to_b and to_a <= to_c else b if to_b <= to_c else c)) & 255
+    else:
+        raise ValueError(f"no filter of PNG: {kind}")
+    return bytes(out[step:])
+
+
 def read_png(data):
     """Rows and bits of a picture without palette and interlacing."""
     all_chunks = chunks_of(data)
@@ -37,17 +64,9 @@ def read_png(data):
     step = channels * bits // 8
     size, above, rows = width * step, bytes(width * step), []
     for y in range(height):
-        filtered = raw[y * (size + 1)]
-        line = bytearray(raw[y * (size + 1) + 1:(y + 1) * (size + 1)])
-        for i in range(size):
-            a = line[i - step] if i >= step else 0
-            b, c = above[i], above[i - step] if i >= step else 0
-            p = a + b - c
-            paeth = min((abs(p - a), 0, a), (abs(p - b), 1, b), (abs(p - c), 2, c))[2]
-            line[i] = (line[i] + (0, a, b, (a + b) // 2, paeth)[filtered]) & 255
-        above = bytes(line)
+        above = unfiltered(raw[y * (size + 1)], raw[y * (size + 1) + 1:(y + 1) * (size + 1)], above, step)
         values = struct.unpack(">" + ("H" if bits == 16 else "B") * (width * channels), above)
-        rows.append([tuple(values[x * channels:(x + 1) * channels]) for x in range(width)])
+        rows.append(list(zip(*[iter(values)] * channels)))
     return rows, bits
 
 

@@ -53,7 +53,6 @@ class Bench:
     def sheet(self, name, *words):
         self.write("scene.pov", SCENE.encode())
         self.run("lentray", "+Iscene.pov", "-D", "-V", "Lenticular=On", "+O" + name, *words)
-        return self.png(name)
 
 
 def equal(found, wanted, what):
@@ -98,26 +97,27 @@ def turned_file(kind, orientation, columns=6, rows=4):
 def photographs_upright(bench):
     """A photograph taken upright by a telephone: all eight ways to hold it, in sheets, quilts and prints."""
     for kind in ("png", "late.png", "tif", "jpg"):
-        size = (48, 32) if kind == "jpg" else (6, 4)
-        wanted = upright(*size)
-        for orientation in SIDES:
-            names = [bench.write(f"{j}.{kind}", turned_file(kind, orientation)) for j in range(2)]
-            what = f"{kind} {orientation}"
-            bench.views("--interlace", *names, "--lens-pixels", "2", "--out", "sheet.png")
-            found = bench.png("sheet.png")
-            equal((len(found[0]), len(found)), (2 * size[0], size[1]), what)
-            for found_row, row in zip(found, wanted):
-                near([v for p in found_row for v in p], [v for p in row for v in p + p], 1, what)
-            bench.views(*names, "--quilt", "2x1", "--out", "quilt.png")
-            near([v for r in bench.png("quilt.png") for p in r for v in p],
-                 [v for r in wanted for p in r + r for v in p], 1, what)
-            bench.run("lentray-print", "sheet", names[0], "--pixels", "2", "--dpi", "300", "--marks", "none",
-                      "--margin", "0mm", "--out", "page.png")
-            page = bench.png("page.png")
-            equal((len(page[0]), len(page)), size, what)
-            near(page[1][0], RED, 1, what)
-            near(page[1][-1], GREEN, 1, what)
-            near(page[-1][0], BLUE, 1, what)
+        columns, rows = (48, 32) if kind == "jpg" else (6, 4)
+        wanted = upright(columns, rows)
+        names = [bench.write(f"{i}.{kind}", turned_file(kind, i)) for i in SIDES]
+
+        def all_near(found, picture_of, what):
+            """`picture_of`: rows of the picture at that place among the names."""
+            equal((len(found[0]), len(found)), (len(names) * columns, rows), what)
+            for j, name in enumerate(names):
+                near([v for r in picture_of(found, j) for p in r for v in p], [v for r in wanted for p in r for v in p], 1,
+                     f"{name} of {what}")
+
+        def side_by_side(found, j):
+            return [row[j * columns:(j + 1) * columns] for row in found]
+
+        bench.views("--interlace", *names, "--lens-pixels", len(names), "--out", "sheet.png")
+        all_near(bench.png("sheet.png"), lambda found, j: [row[j::len(names)] for row in found], "a sheet")
+        bench.views(*names, "--quilt", f"{len(names)}x1", "--out", "quilt.png")
+        all_near(bench.png("quilt.png"), side_by_side, "a quilt")
+        bench.run("lentray-print", "sheet", *names, "--grid", f"{len(names)}x1", "--gap", "0mm", "--pixels", "2", "--dpi", "300",
+                  "--marks", "none", "--margin", "0mm", "--out", "page.png")
+        all_near(bench.png("page.png"), side_by_side, "a page")
 
 
 def scenes_stay_as_stored(bench):
@@ -348,7 +348,8 @@ def resized_sheets(bench):
              ["--preview", "no.html"]]
     for words in (["Lens_Pixels=6", "+W120", "+H90"], ["Lens_Pixels=6.4", "+W130", "+H90"],
                   ["Lens_Pixels=6", "Lens_Slant=9", "+W120", "+H90"]):
-        rows = bench.sheet("sheet.png", *words)
+        bench.sheet("sheet.png", *words)
+        rows = bench.png("sheet.png")
         data = (bench.folder / "sheet.png").read_bytes()
         is_slanted = "Lens_Slant=9" in words
         width = len(rows[0])
