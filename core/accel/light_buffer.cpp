@@ -4,27 +4,11 @@
 #include <cmath>
 
 #include "core/accel/light_buffer_builder.h"
-#include "core/object/leaf.h"
-#include "core/shape/box.h"
+#include "core/accel/light_cell_search.h"
 #include "core/shape/plane.h"
-#include "core/shape/polygon.h"
-#include "core/shape/sphere.h"
-#include "core/shape/triangle_shape.h"
 
 namespace lentray::core {
 namespace {
-
-/// What a search counts; the other policy is empty and costs nothing. To find a point outside a volume
-/// is a test of bounds.
-struct Tally {
-  Counters& counters;
-  void test(const Object* object) const { counters.add_tests(object->name(), 1); }
-  void outside() const { ++counters.bounds_tests; }
-};
-struct NoTally {
-  void test(const Object*) const {}
-  void outside() const {}
-};
 
 constexpr double kNearLight = 1e-5;  ///< of the light's coordinates: nearer, rounding counts
 
@@ -52,77 +36,14 @@ const Object* LightBuffer::plane_blocker(const Ray& ray, double t_min, double t_
   return nullptr;
 }
 
-template <class Count>
-[[gnu::always_inline]] inline LightBuffer::Probe LightBuffer::probe(const Caster& caster,
-                                                                    const Ray& ray, double t_min,
-                                                                    double t_max, HitLists& lists,
-                                                                    Count count) const {
-  const auto probe_of = [](bool blocks) { return blocks ? Probe::kBlocks : Probe::kMisses; };
-  count.test(caster.object);
-  ShapeHit hit;
-  switch (caster.kind) {
-    case CasterKind::kSphere: {
-      const Round& sphere = m_spheres[caster.sphere];
-      double t0 = 0.0, t1 = 0.0;
-      const double inverse_dd = 1.0 / dot(ray.direction, ray.direction);
-      if (!sphere_roots(ray, inverse_dd, sphere.centre, sphere.radius2, t0, t1)) {
-        return Probe::kOutside;
-      }
-      const double t = t0 > t_min ? t0 : t1;
-      return probe_of(t > t_min && t < t_max);
-    }
-    case CasterKind::kPolygon:
-      return probe_of(
-          static_cast<const Polygon*>(caster.shape)->Polygon::nearest(ray, t_min, t_max, hit));
-    case CasterKind::kTriangle:
-      return probe_of(
-          static_cast<const TriangleShape*>(caster.shape)->nearest(ray, t_min, t_max, hit));
-    case CasterKind::kBox:
-      return probe_of(static_cast<const Box*>(caster.shape)->Box::nearest(ray, t_min, t_max, hit));
-    case CasterKind::kAny: break;
-  }
-  return probe_of(caster.object->any(ray, t_min, t_max, {lists, RayKind::kShadow}));
-}
-
 /// Not inlined, so that any_opaque() needs no frame where there are planes alone.
 template <class Count>
 [[gnu::noinline]] LightBuffer::Answer LightBuffer::other_blocker(const Spot& spot, const Ray& ray,
                                                                  double t_min, double t_max,
                                                                  HitLists& lists,
                                                                  Count count) const {
-  if (const Cell* cell = spot.cell) {
-    const Entry* begin = m_entries.data() + cell->first;
-    if (cell->covered) {
-      if (spot.w > begin->near_w) return {m_casters[begin->caster].object, true};
-      ++begin;
-    }
-    const Entry* const end = begin + cell->opaque;
-    if (begin < end && begin->near_w < spot.w) {
-      const LightProbe point(ray.origin - m_light, spot.w, t_min, m_reach);
-      bool foreseen = true;
-      const Entry* entry = begin;
-      do {
-        if (point.is_outside(m_volumes[entry->caster])) {
-          count.outside();
-          continue;
-        }
-        const Caster& caster = m_casters[entry->caster];
-        if (caster.object == spot.unmet) {
-          foreseen = false;
-          continue;
-        }
-        const Probe answer = probe(caster, ray, t_min, t_max, lists, count);
-        if (answer == Probe::kBlocks) return {caster.object, foreseen};
-        if (answer == Probe::kMisses) foreseen = false;
-      } while (++entry < end && entry->near_w < spot.w);
-    }
-  }
-  for (const Caster& caster : m_always_opaque) {
-    count.test(caster.object);
-    if (caster.object->any(ray, t_min, t_max, {lists, RayKind::kShadow}))
-      return {caster.object, false};
-  }
-  return {};
+  return nearest_blocker(spot, ray, t_min, t_max, lists, count,
+                         [&] { return LightProbe(ray.origin - m_light, spot.w, t_min, m_reach); });
 }
 
 LightBuffer::Answer LightBuffer::any_opaque_counted(const Spot& spot, const Ray& ray, double t_min,

@@ -27,9 +27,11 @@ class LightProbe {
   /// `w`: the largest component of `point`. `t_min`: the least distance of a hit along a shadow ray.
   /// `reach`: of the volumes; beyond it no point is outside.
   LightProbe(const Vec3& point, double w, double t_min, double reach)
-      : m_x(simd::float4(static_cast<float>(point.x))),
-        m_y(simd::float4(static_cast<float>(point.y))),
-        m_z(simd::float4(static_cast<float>(point.z))),
+      : LightProbe(static_cast<float>(point.x), static_cast<float>(point.y),
+                   static_cast<float>(point.z), w, t_min, reach) {}
+  /// The same of a point in floats, the nearest.
+  LightProbe(float x, float y, float z, double w, double t_min, double reach)
+      : m_x(simd::float4(x)), m_y(simd::float4(y)), m_z(simd::float4(z)),
         m_least(simd::float4(w < reach ? -kSlack * static_cast<float>(w)
                                        : -std::numeric_limits<float>::infinity())),
         m_w(static_cast<float>(w)), m_t_min(static_cast<float>(t_min)) {}

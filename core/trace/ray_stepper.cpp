@@ -57,24 +57,21 @@ void RayStepper::pass_open_air(const RayState& state, const RayRecord& record, R
   return {sum.light};
 }
 
-void RayStepper::shade(const RayState& state, const Hit& hit, RayRecord& record) {
-  const Vec3 point = state.ray.at(hit.t);
-  Vec3 normal = hit.leaf->normal(point, hit.shape);
-  const bool from_behind = dot(normal, state.ray.direction) > 0.0;
-  if (from_behind) normal = -normal;
+void RayStepper::shade(const RayState& state, const Hit& hit, const MetPlace& where,
+                       const BlockLights* block, std::size_t place, RayRecord& record) {
   Surface at{state,
              *record.attributes,
-             {point, normal, state.ray.direction, &hit},
-             normal,
-             point,
+             {where.point, where.normal, state.ray.direction, &hit},
+             where.normal,
+             where.point,
              1.0,
              record.level,
              0,
-             from_behind};
+             where.from_behind};
   if (at.attributes.uv_mapping) at.texture_point = texture_point(at.context);
   ShadingBuffers& buffers = m_shaded < m_buffers.size() ? *m_buffers[m_shaded] : add_buffers();
   ++m_shaded;
-  m_shading.begin(at, buffers);
+  m_shading.begin(at, block, place, buffers);
   if (m_paths.layers) {
     shade_textures(at, buffers, record);
   } else {

@@ -56,19 +56,29 @@ class RayStepper {
   }
   /// The same of a ray that has met this; null: nothing.
   void see(const RayState& state, const Hit* hit, RayRecord& record) {
+    if (hit) {
+      see_surface(state, *hit, MetPlace(state.ray, *hit), nullptr, 0, record);
+    } else {
+      see_nothing(state, record);
+    }
+  }
+  void see_nothing(const RayState& state, RayRecord& record) {
     record.parts.clear();
     record.onward.clear();
-    if (hit) {
-      record.attributes = &hit->leaf->attributes();
-      record.length = hit->t;
-      record.level = state.level + (state.straight_on ? 0 : 1);
-      shade(state, *hit, record);
-    } else {
-      record.attributes = nullptr;
-      record.length = kOpenAir;
-      record.level = state.level + 1;
-      record.own = sky_radiance(m_scene, state.ray.direction, state.kind >= RayKind::kReflection);
-    }
+    record.attributes = nullptr;
+    record.length = kOpenAir;
+    record.level = state.level + 1;
+    record.own = sky_radiance(m_scene, state.ray.direction, state.kind >= RayKind::kReflection);
+  }
+  /// `block`: has asked for the lights there, at `place` of its places; null: nobody has.
+  void see_surface(const RayState& state, const Hit& hit, const MetPlace& where,
+                   const BlockLights* block, std::size_t place, RayRecord& record) {
+    record.parts.clear();
+    record.onward.clear();
+    record.attributes = &hit.leaf->attributes();
+    record.length = hit.t;
+    record.level = state.level + (state.straight_on ? 0 : 1);
+    shade(state, hit, where, block, place, record);
   }
   /// Changes the light that RayRecord::gather() found into what arrives at the ray's origin.
   void arrive(const RayState& state, const RayRecord& record, Radiance& light) {
@@ -81,7 +91,8 @@ class RayStepper {
  private:
   bool is_cut(int level, float weight) const { return level >= m_max_level || weight < m_bailout; }
 
-  void shade(const RayState& state, const Hit& hit, RayRecord& record);
+  void shade(const RayState& state, const Hit& hit, const MetPlace& where, const BlockLights* block,
+             std::size_t place, RayRecord& record);
   ShadingBuffers& add_buffers();
   void shade_textures(Surface& at, ShadingBuffers& buffers, RayRecord& record);
   /// The texture's own light; adds the rays that go on from it.

@@ -63,12 +63,16 @@ class SurfaceShading {
   SurfaceShading(ThreadContext& context, ShadowTester& shadows, const PathRules& rules);
 
   std::size_t lights() const { return m_lights.lights(); }
-  /// To be called before anything else of a surface.
-  void begin(const Surface& at, ShadingBuffers& buffers) const {
+  /// To be called before anything else of a surface. `block`: has asked for its lights, at `place`; null: nobody has.
+  void begin(const Surface& at, const BlockLights* block, std::size_t place,
+             ShadingBuffers& buffers) const {
     if (m_paths.layers) {
       buffers.textures.clear();
       buffers.lights.forget_arriving();
     }
+    buffers.lights.block = block;
+    buffers.lights.place = place;
+    if (block) return;
     m_lights.look_ahead(m_lights.lights_of(at.attributes), at.normal, at.hit(), at.from_behind,
                         at.point(), buffers.lights);
   }
