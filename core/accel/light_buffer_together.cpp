@@ -5,8 +5,6 @@
 
 namespace lentray::core {
 
-using Answer = LightAnswers::Answer;
-
 /// Four points and one light.
 class LightLanes {
  public:
@@ -19,7 +17,9 @@ class LightLanes {
     const Double4 x = buffer.m_light.x - px, y = buffer.m_light.y - py, z = buffer.m_light.z - pz;
     const Double4 up = nx * x + ny * y + nz * z;
     const Double4 length2 = x * x + y * y + z * z;
-    m_asking = points.who_asks(first) & ~simd::signs(up < Double4{});
+    m_asking = points.who_asks(first);
+    m_behind = m_asking & simd::signs(up < Double4{});
+    m_asking &= ~m_behind;
     m_to[0] = x;
     m_to[1] = y;
     m_to[2] = z;
@@ -29,8 +29,16 @@ class LightLanes {
   }
   /// Answers all four.
   LENTRAY_SIMD32 void answer(HitLists& lists) {
-    for (int i = 0; i < LightPoints::kLanes; ++i) set(i, Answer::kUnknown);
-    if (m_asking == 0) return;
+    for (int i = 0; i < LightPoints::kLanes; ++i) {
+      set(i, m_behind >> i & 1 ? LightAnswers::kBehind : LightAnswers::kUnknown);
+    }
+    m_unknown = 15u & ~m_behind;
+    if (m_asking != 0) ask(lists);
+    m_answers.unknown |= std::uint64_t{m_unknown} << m_first;
+  }
+
+ private:
+  LENTRAY_SIMD32 void ask(HitLists& lists) {
     const Double4 distance = simd::sqrt(m_length2), scale = 1.0 / distance;
     const Double4 dx = m_to[0] * scale, dy = m_to[1] * scale, dz = m_to[2] * scale;
     store(0, dx);
@@ -40,16 +48,16 @@ class LightLanes {
     const Double4 reach = distance - m_tolerance;
     m_asking &= simd::signs((distance > simd::double4(m_buffer.m_least_distance)) &
                             (reach > simd::double4(m_tolerance)));
-    for (unsigned dark = m_asking & behind_planes(dx, dy, dz, reach); dark != 0; dark &= dark - 1) {
-      set(__builtin_ctz(dark), Answer::kForeseen);
-      m_asking &= ~(dark & -dark);
+    const unsigned dark = m_asking & behind_planes(dx, dy, dz, reach);
+    for (unsigned left = dark; left != 0; left &= left - 1) {
+      set(__builtin_ctz(left), LightAnswers::kForeseen);
     }
+    m_asking &= ~dark;
+    m_unknown &= ~dark;
     if (m_asking == 0) return;
     locate();
     search_cells(lists);
   }
-
- private:
   LENTRAY_SIMD32 Double4 point(int axis) const {
     return simd::double4_at(m_points.point(axis) + m_first);
   }
@@ -60,7 +68,7 @@ class LightLanes {
     simd::store(m_answers.direction[axis] + m_first, v);
   }
   std::size_t place(int i) const { return static_cast<std::size_t>(m_first + i); }
-  void set(int i, Answer answer) { m_answers.answer[place(i)] = answer; }
+  void set(int i, LightAnswers::Answer answer) { m_answers.answer[place(i)] = answer; }
 
   /// plane_blocker()
   LENTRAY_SIMD32 unsigned behind_planes(Double4 dx, Double4 dy, Double4 dz, Double4 reach) const {
@@ -91,14 +99,8 @@ class LightLanes {
     const Double4 over_w = 1.0 / w;
     const Double4 u = v[LightFace::u_axis(face)] * over_w,
                   along_v = v[LightFace::v_axis(face)] * over_w;
-    for (unsigned left = m_asking; left != 0; left &= left - 1) {
-      const int i = __builtin_ctz(left);
-      LightBuffer::Spot& spot = m_answers.spot[place(i)];
-      spot.cell = nullptr;
-      spot.w = w[i];
-      spot.known = true;
-      spot.unmet = m_rising >> i & 1 ? m_points.unmet(m_first + i) : nullptr;
-    }
+    simd::store(m_w, w);
+    for (const LightBuffer::Cell*& cell : m_cell) cell = nullptr;
     unsigned left = m_asking;
     for (const LightBuffer::Grid& grid : m_buffer.m_faces[static_cast<std::size_t>(face)]) {
       const LightRaster& raster = grid.raster;
@@ -112,7 +114,7 @@ class LightLanes {
       left &= ~here;
       for (; here != 0; here &= here - 1) {
         const int i = __builtin_ctz(here);
-        m_answers.spot[place(i)].cell = &grid.cells[static_cast<std::size_t>(cells[i])];
+        m_cell[i] = &grid.cells[static_cast<std::size_t>(cells[i])];
       }
       if (left == 0) break;
     }
@@ -120,9 +122,10 @@ class LightLanes {
   [[gnu::noinline]] void locate_one_by_one() {
     for (unsigned left = m_asking; left != 0; left &= left - 1) {
       const int i = __builtin_ctz(left);
-      LightBuffer::Spot& spot = m_answers.spot[place(i)];
+      LightBuffer::Spot spot;
       m_buffer.locate(point_of(i), spot);
-      spot.unmet = m_rising >> i & 1 ? m_points.unmet(m_first + i) : nullptr;
+      m_cell[i] = spot.cell;
+      m_w[i] = spot.w;
     }
   }
   Vec3 point_of(int i) const {
@@ -137,12 +140,11 @@ class LightLanes {
     simd::store(z, simd::narrowed(-m_to[2]));
     for (unsigned left = m_asking; left != 0; left &= left - 1) {
       const int i = __builtin_ctz(left);
-      LightBuffer::Spot& spot = m_answers.spot[place(i)];
-      if (spot.cell && spot.cell->crowded) {
-        spot.known = false;
-        continue;
-      }
-      const LightRay way = m_answers.ray(m_first + i);
+      const LightBuffer::Spot spot{m_cell[i], m_w[i], true,
+                                   m_rising >> i & 1 ? m_points.unmet(m_first + i) : nullptr};
+      if (spot.cell && spot.cell->crowded) continue;
+      m_unknown &= ~(1u << i);
+      const LightRay way = m_answers.ray(place(i));
       const Ray ray{point_of(i), way.direction};
       const auto probe = [&] {
         return LightProbe(x[i], y[i], z[i], spot.w, m_tolerance, m_buffer.m_reach);
@@ -150,10 +152,13 @@ class LightLanes {
       const LightBuffer::Answer found = m_buffer.nearest_blocker(
           spot, ray, m_tolerance, way.distance - m_tolerance, lists, NoTally(), probe);
       if (found.blocker) {
-        set(i, found.foreseen ? Answer::kForeseen : Answer::kBlocked);
+        set(i, found.foreseen ? LightAnswers::kForeseen : LightAnswers::kBlocked);
+      } else if (m_buffer.may_filter(spot) && is_filtered(spot, probe)) {
+        set(i, LightAnswers::kFiltered);
+        m_answers.filtered |= std::uint64_t{1} << place(i);
+        m_answers.spot[place(i)] = spot;
       } else {
-        set(i, m_buffer.may_filter(spot) && is_filtered(spot, probe) ? Answer::kFiltered
-                                                                     : Answer::kClear);
+        set(i, LightAnswers::kClear);
       }
     }
   }
@@ -180,12 +185,16 @@ class LightLanes {
   const int m_first;
   const double m_tolerance;
   LightAnswers& m_answers;
-  unsigned m_asking, m_rising;
+  unsigned m_asking, m_behind, m_rising, m_unknown;
+  // In the light's buffer.
+  const LightBuffer::Cell* m_cell[LightPoints::kLanes];
+  alignas(32) double m_w[LightPoints::kLanes];
   Double4 m_to[3], m_length2;
 };
 
 LENTRAY_AVX2 void LightBuffer::ask_together(const LightPoints& points, double tolerance,
                                             HitLists& lists, LightAnswers& answers) const {
+  answers.unknown = answers.filtered = 0;
   for (int first = 0; first < points.count(); first += LightPoints::kLanes) {
     LightLanes(*this, points, first, tolerance, answers).answer(lists);
   }

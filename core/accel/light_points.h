@@ -2,8 +2,8 @@
 // Plain values; one a thread.
 #pragma once
 
-#include <algorithm>
 #include <array>
+#include <cstddef>
 #include <cstdint>
 
 #include "core/accel/light_buffer.h"
@@ -65,22 +65,25 @@ class LightPoints {
 
 /// Of one light at those points.
 struct LightAnswers {
-  enum class Answer : std::uint8_t {
-    kUnknown,   ///< to be asked for alone, if it is wanted at all
+  enum Answer : int {
+    kUnknown,   ///< to be asked for alone
+    kBehind,    ///< the light's position is behind the surface; the ray is not known
     kClear,     ///< nothing is in the way
     kFiltered,  ///< nothing opaque is in the way; what filters the light is to be asked for
     kForeseen,  ///< dark, as LightBuffer::Answer::foreseen
     kBlocked,   ///< dark
   };
-  bool is_located(int i) const { return spot[static_cast<std::size_t>(i)].known; }
-  /// Where the answer is not kUnknown.
-  LightRay ray(int i) const {
+  static constexpr bool has_ray(Answer answer) { return answer >= kClear; }
+  static constexpr bool is_dark(Answer answer) { return answer >= kForeseen; }
+
+  Answer at(std::size_t i) const { return static_cast<Answer>(answer[i]); }
+  LightRay ray(std::size_t i) const {
     return {{direction[0][i], direction[1][i], direction[2][i]}, distance[i]};
   }
   alignas(32) double direction[3][LightPoints::kMost], distance[LightPoints::kMost];
-  std::array<Answer, LightPoints::kMost> answer;
-  /// Of a point that is kFiltered; else, at most, where the point lies.
-  std::array<LightBuffer::Spot, LightPoints::kMost> spot;
+  alignas(16) int answer[LightPoints::kMost];              ///< an Answer each
+  std::uint64_t unknown, filtered;                         ///< the bits of places with that answer
+  std::array<LightBuffer::Spot, LightPoints::kMost> spot;  ///< where the answer is kFiltered
 };
 
 }  // namespace lentray::core

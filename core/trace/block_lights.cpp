@@ -21,10 +21,14 @@ BlockLights::BlockLights(ThreadContext& context, ShadowTester& shadows)
       m_answers(context.scene.lights().size()) {
   // Tests are counted one by one; air dims every ray.
   if (!shadows.plain() || context.tests || context.scene.needs().dimming_air || !has_avx2()) return;
+  m_knows_all = true;
   for (const std::uint32_t light : context.scene.global_lights()) {
-    if (!context.scene.light_buffer(light) || !is_simple(context.scene.lights()[light])) continue;
-    m_answers[light] = std::make_unique<LightAnswers>();
-    m_works = true;
+    if (context.scene.light_buffer(light) && is_simple(context.scene.lights()[light])) {
+      m_answers[light] = std::make_unique<LightAnswers>();
+      m_works = true;
+    } else {
+      m_knows_all = false;
+    }
   }
 }
 

@@ -34,23 +34,19 @@ class BlockLights {
   void find();
 
   Answer answer(std::uint32_t light, std::size_t place) const {
-    const std::unique_ptr<LightAnswers>& answers = m_answers[light];
-    return answers ? answers->answer[place] : Answer::kUnknown;
+    const LightAnswers* answers = of(light);
+    return answers ? answers->at(place) : LightAnswers::kUnknown;
   }
-  /// Where the answer is not kUnknown.
-  LightRay ray(std::uint32_t light, std::size_t place) const {
-    return m_answers[light]->ray(static_cast<int>(place));
-  }
-  /// Where the place lies in the light's buffer, which holds as long as the answers; null: it is not known.
-  const LightBuffer::Spot* spot(std::uint32_t light, std::size_t place) const {
-    const std::unique_ptr<LightAnswers>& answers = m_answers[light];
-    return answers && answers->answer[place] == Answer::kFiltered ? &answers->spot[place] : nullptr;
-  }
+  /// Of a light; null: nothing is known of it.
+  const LightAnswers* of(std::uint32_t light) const { return m_answers[light].get(); }
+  const LightPoints& points() const { return m_points; }
+  /// Whether something is known of each of the scene's global lights.
+  bool knows_all() const { return m_knows_all; }
 
  private:
   ThreadContext& m_context;
   const double m_tolerance;  ///< kShadowTolerance in this scene
-  bool m_works = false;
+  bool m_works = false, m_knows_all = false;
   LightPoints m_points;
   std::vector<std::unique_ptr<LightAnswers>>
       m_answers;  ///< one a light of the scene; null: asked alone

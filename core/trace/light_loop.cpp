@@ -20,14 +20,16 @@ bool LightLoop::pass_projector(const Object& projector, ShadowQuery& query) cons
   return true;
 }
 
-void LightLoop::pass_filters(const LitPoint& lit, IncomingLight& incoming,
-                             const LightsAtPoint& known) {
+Rgb LightLoop::filters(const LitPoint& lit, std::uint32_t light, const BlockLights& block,
+                       std::size_t place) const {
+  const LightAnswers& answers = *block.of(light);
+  const LightRay ray = answers.ray(place);
   ShadowQuery query = query_at(lit);
-  query.light = incoming.source->index;
-  query.spot = known.block->spot(query.light, known.place);
-  query.ray.direction = incoming.ray.direction;
-  query.distance = incoming.ray.distance;
-  incoming.colour *= m_plain->filters(query);
+  query.light = light;
+  query.spot = &answers.spot[place];
+  query.ray.direction = ray.direction;
+  query.distance = ray.distance;
+  return m_plain->filters(query);
 }
 
 void LightLoop::ask_alone(const LitPoint& lit, IncomingLight& incoming, LightsAtPoint& known) {

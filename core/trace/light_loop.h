@@ -145,6 +145,9 @@ class LightLoop {
     query.volumes = lit.volumes;
     return query;
   }
+  /// What filters leave of a light at a place of a block where the answer is kFiltered.
+  Rgb filters(const LitPoint& lit, std::uint32_t light, const BlockLights& block,
+              std::size_t place) const;
   /// Takes from the colour what does not arrive.
   void ask(IncomingLight& incoming, ShadowQuery& query, LightsAtPoint& known) {
     if (!incoming.source->may_be_hindered) return;
@@ -197,7 +200,7 @@ class LightLoop {
       for (const std::uint32_t i : lights) {
         const LightAnswers::Answer answer = known.block->answer(i, known.place);
         IncomingLight incoming;
-        if (answer == LightAnswers::Answer::kUnknown) {
+        if (!LightAnswers::has_ray(answer)) {
           if (!may_reach(m_sources[i], lit.point, facing, incoming)) continue;
           ask_alone(lit, incoming, known);
         } else {
@@ -218,20 +221,18 @@ class LightLoop {
                                                  const Facing& facing, const LightsAtPoint& known,
                                                  IncomingLight& out) {
     out.source = &source;
-    out.ray = known.block->ray(source.index, known.place);
+    out.ray = known.block->of(source.index)->ray(known.place);
     out.colour = source.even ? source.colour : light_colour(source.light, point, out.ray);
     return !is_dark(out.colour) && facing.faces(source, out.ray.direction);
   }
   /// ask() where the answer is known.
   [[gnu::always_inline]] void pass(LightAnswers::Answer answer, const LitPoint& lit,
                                    IncomingLight& incoming, LightsAtPoint& known) {
-    using Answer = LightAnswers::Answer;
     const std::uint32_t light = incoming.source->index;
-    const bool is_dark = answer >= Answer::kForeseen;
-    m_plain->count(light, is_dark, answer == Answer::kForeseen);
-    if (is_dark) {
+    m_plain->count(light, LightAnswers::is_dark(answer), answer == LightAnswers::kForeseen);
+    if (LightAnswers::is_dark(answer)) {
       incoming.colour *= Rgb(0.0f);
-    } else if (answer == Answer::kFiltered) {
+    } else if (answer == LightAnswers::kFiltered) {
       pass_filters(lit, incoming, known);
     }
     if (m_asked_again) {
@@ -239,7 +240,9 @@ class LightLoop {
       known.is_known[light] = 1;
     }
   }
-  void pass_filters(const LitPoint& lit, IncomingLight& incoming, const LightsAtPoint& known);
+  void pass_filters(const LitPoint& lit, IncomingLight& incoming, const LightsAtPoint& known) {
+    incoming.colour *= filters(lit, incoming.source->index, *known.block, known.place);
+  }
   void ask_alone(const LitPoint& lit, IncomingLight& incoming, LightsAtPoint& known);
 
   /// Collects one light; false: it is dark at the point, or unwanted.

@@ -42,6 +42,7 @@ class PlainShadowTester final : public ShadowTester {
     ++counts.blocked;
     if (m_counts_hits) ++(foreseen ? counts.hits : counts.misses);
   }
+  bool counts_hits() const { return m_counts_hits; }
   /// What is left of the light where no opaque object is in the way, not counted as a ray. The query's spot is
   /// known, and the light's buffer serves it.
   Rgb filters(const ShadowQuery& query) {

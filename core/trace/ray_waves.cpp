@@ -3,13 +3,18 @@
 #include <algorithm>
 #include <bit>
 
+#include "core/trace/illumination.h"
+
 namespace lentray::core {
 
 RayWaves::RayWaves(ThreadContext& context, Integrator& integrator, ShadowTester& shadows)
     : m_context(context), m_integrator(integrator), m_stepper(integrator.stepper()),
-      m_lights(context, shadows) {
+      m_lights(context, shadows), m_textures(context.scene), m_plain(context, shadows, m_lights) {
   const Needs& needs = context.scene.needs();
   m_works = m_lights.works() && !context.indirect && !needs.media && !needs.subsurface;
+  // Photons light surfaces one by one.
+  const double bailout = context.scene.settings().adc_bailout;
+  m_has_plain = m_plain.works() && !surface_photons(context) && bailout >= 0.0 && bailout < 1.0;
   m_nodes.reserve(kMostNodes);
 }
 
@@ -71,6 +76,20 @@ void RayWaves::light(std::size_t first, std::size_t end) {
     m_lights.add(*hit, place.point, place.normal, place.from_behind);
   }
   m_lights.find();
+  if (m_has_plain) light_plain(first, end);
+}
+
+void RayWaves::light_plain(std::size_t first, std::size_t end) {
+  m_plain.clear();
+  for (std::size_t i = first; i < end; ++i) {
+    const std::size_t at = i - first;
+    const Hit* hit = m_hits[at];
+    m_plain.add(hit ? m_textures.find(*hit->leaf, m_places[at].from_behind) : nullptr,
+                m_nodes[i].state->ray.direction);
+  }
+  m_plain.light([&](std::uint32_t light, std::size_t at) {
+    return m_stepper.filters(*m_nodes[first + at].state, m_places[at], light, m_lights, at);
+  });
 }
 
 void RayWaves::shade(std::size_t first, std::size_t end) {
@@ -79,8 +98,13 @@ void RayWaves::shade(std::size_t first, std::size_t end) {
     if (node.is_cut) continue;
     const std::size_t at = i - first;
     if (const Hit* hit = m_hits[at]) {
-      m_context.pixel = m_pixels[node.root];
-      m_stepper.see_surface(*node.state, *hit, m_places[at], &m_lights, at, *node.record);
+      const PlainTexture* plain = m_has_plain ? m_plain.texture(at) : nullptr;
+      if (plain) {
+        m_stepper.see_plain(*node.state, *hit, m_places[at], *plain, m_plain.sum(at), *node.record);
+      } else {
+        m_context.pixel = m_pixels[node.root];
+        m_stepper.see_surface(*node.state, *hit, m_places[at], &m_lights, at, *node.record);
+      }
       if (!node.record->onward.empty()) add_onward(node);
     } else {
       m_stepper.see_nothing(*node.state, *node.record);

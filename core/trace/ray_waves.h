@@ -16,6 +16,8 @@
 #include "core/trace/block_lights.h"
 #include "core/trace/first_hits.h"
 #include "core/trace/integrator.h"
+#include "core/trace/plain_lights.h"
+#include "core/trace/plain_texture.h"
 #include "core/trace/ray_record.h"
 
 namespace lentray::core {
@@ -50,6 +52,7 @@ class RayWaves {
   /// Finds what the nodes [first, end) meet, at most kMost.
   void meet(std::size_t first, std::size_t end, const FirstHits* hits);
   void light(std::size_t first, std::size_t end);
+  void light_plain(std::size_t first, std::size_t end);
   void shade(std::size_t first, std::size_t end);
   void add_onward(Node& node);
   void resolve();
@@ -58,7 +61,9 @@ class RayWaves {
   Integrator& m_integrator;
   RayStepper& m_stepper;
   BlockLights m_lights;
-  bool m_works;
+  PlainTextures m_textures;
+  PlainLights m_plain;
+  bool m_works, m_has_plain;
   std::span<const Pixel> m_pixels;
   std::vector<RayState> m_camera;
   std::vector<Node> m_nodes;
