@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "core/accel/light_buffer_builder.h"
-#include "core/accel/light_cell_search.h"
+#include "core/accel/light_caster_test.h"
 #include "core/shape/plane.h"
 
 namespace lentray::core {
@@ -42,8 +42,39 @@ template <class Count>
                                                                  double t_min, double t_max,
                                                                  HitLists& lists,
                                                                  Count count) const {
-  return nearest_blocker(spot, ray, t_min, t_max, lists, count,
-                         [&] { return LightProbe(ray.origin - m_light, spot.w, t_min, m_reach); });
+  if (const Cell* cell = spot.cell) {
+    const Entry* begin = m_entries.data() + cell->first;
+    if (cell->covered) {
+      if (spot.w > begin->near_w) return {m_casters[begin->caster].object, true};
+      ++begin;
+    }
+    const Entry* const end = begin + cell->opaque;
+    if (begin < end && begin->near_w < spot.w) {
+      const LightProbe point(ray.origin - m_light, spot.w, t_min, m_reach);
+      bool foreseen = true;
+      const Entry* entry = begin;
+      do {
+        if (point.is_outside(m_volumes[entry->caster])) {
+          count.outside();
+          continue;
+        }
+        const Caster& caster = m_casters[entry->caster];
+        if (caster.object == spot.unmet) {
+          foreseen = false;
+          continue;
+        }
+        const Probe answer = probe(caster, ray, t_min, t_max, lists, count);
+        if (answer == Probe::kBlocks) return {caster.object, foreseen};
+        if (answer == Probe::kMisses) foreseen = false;
+      } while (++entry < end && entry->near_w < spot.w);
+    }
+  }
+  for (const Caster& caster : m_always_opaque) {
+    count.test(caster.object);
+    if (caster.object->any(ray, t_min, t_max, {lists, RayKind::kShadow}))
+      return {caster.object, false};
+  }
+  return {};
 }
 
 LightBuffer::Answer LightBuffer::any_opaque_counted(const Spot& spot, const Ray& ray, double t_min,

@@ -108,9 +108,6 @@ class LightBuffer {
 
   template <class Count>
   const Object* plane_blocker(const Ray& to_light, double t_min, double t_max, Count count) const;
-  template <class Count, class MakeProbe>
-  Answer nearest_blocker(const Spot& spot, const Ray& to_light, double t_min, double t_max,
-                         HitLists& lists, Count count, const MakeProbe& make_probe) const;
   template <class Count>
   Answer other_blocker(const Spot& spot, const Ray& to_light, double t_min, double t_max,
                        HitLists& lists, Count count) const;

@@ -1,6 +1,6 @@
 // A light buffer is asked for many points at once: directions, planes and cells of four points at a time, the search
 // of a cell for each point by itself. Operations and their order are those of the questions one by one.
-#include "core/accel/light_cell_search.h"
+#include "core/accel/light_caster_test.h"
 #include "core/accel/light_points.h"
 
 namespace lentray::core {
@@ -11,7 +11,8 @@ class LightLanes {
   LENTRAY_SIMD32 LightLanes(const LightBuffer& buffer, const LightPoints& points, int first,
                             double tolerance, LightAnswers& answers)
       : m_buffer(buffer), m_points(points), m_first(first), m_tolerance(tolerance),
-        m_answers(answers) {
+        m_answers(answers),
+        m_has_others(!buffer.m_always_opaque.empty() || !buffer.m_always_transparent.empty()) {
     const Double4 px = point(0), py = point(1), pz = point(2);
     const Double4 nx = normal(0), ny = normal(1), nz = normal(2);
     const Double4 x = buffer.m_light.x - px, y = buffer.m_light.y - py, z = buffer.m_light.z - pz;
@@ -133,51 +134,81 @@ class LightLanes {
     return {m_points.point(0)[at], m_points.point(1)[at], m_points.point(2)[at]};
   }
 
+  /// Of each point a LightProbe.
   LENTRAY_SIMD32 void search_cells(HitLists& lists) {
-    alignas(16) float x[4], y[4], z[4];
-    simd::store(x, simd::narrowed(-m_to[0]));
-    simd::store(y, simd::narrowed(-m_to[1]));
-    simd::store(z, simd::narrowed(-m_to[2]));
+    const Double4 w = simd::double4_at(m_w);
+    simd::store(m_probe_x, simd::narrowed(-m_to[0]));
+    simd::store(m_probe_y, simd::narrowed(-m_to[1]));
+    simd::store(m_probe_z, simd::narrowed(-m_to[2]));
+    LightProbe::limits(simd::narrowed(w), m_tolerance,
+                       simd::signs(w < simd::double4(m_buffer.m_reach)), m_least, m_share);
     for (unsigned left = m_asking; left != 0; left &= left - 1) {
-      const int i = __builtin_ctz(left);
-      const LightBuffer::Spot spot{m_cell[i], m_w[i], true,
-                                   m_rising >> i & 1 ? m_points.unmet(m_first + i) : nullptr};
-      if (spot.cell && spot.cell->crowded) continue;
-      m_unknown &= ~(1u << i);
-      const LightRay way = m_answers.ray(place(i));
-      const Ray ray{point_of(i), way.direction};
-      const auto probe = [&] {
-        return LightProbe(x[i], y[i], z[i], spot.w, m_tolerance, m_buffer.m_reach);
-      };
-      const LightBuffer::Answer found = m_buffer.nearest_blocker(
-          spot, ray, m_tolerance, way.distance - m_tolerance, lists, NoTally(), probe);
-      if (found.blocker) {
-        set(i, found.foreseen ? LightAnswers::kForeseen : LightAnswers::kBlocked);
-      } else if (m_buffer.may_filter(spot) && is_filtered(spot, probe)) {
-        set(i, LightAnswers::kFiltered);
-        m_answers.filtered |= std::uint64_t{1} << place(i);
-        m_answers.spot[place(i)] = spot;
-      } else {
-        set(i, LightAnswers::kClear);
-      }
+      search_cell(__builtin_ctz(left), lists);
     }
   }
-  /// False: all_transparent() asks no object.
-  template <class MakeProbe>
-  [[gnu::always_inline]] bool is_filtered(const LightBuffer::Spot& spot,
-                                          const MakeProbe& make_probe) const {
-    for (const LightBuffer::Caster& caster : m_buffer.m_always_transparent) {
-      if (caster.object != spot.unmet) return true;
+  LENTRAY_SIMD32 LightProbe probe(int i) const {
+    return LightProbe(m_probe_x + i, m_probe_y + i, m_probe_z + i, m_least + i, m_share[i]);
+  }
+  LENTRAY_SIMD32 void search_cell(int i, HitLists& lists) {
+    const LightBuffer::Cell* cell = m_cell[i];
+    if (!cell) {
+      m_unknown &= ~(1u << i);
+      return search_others(i, lists);
     }
-    if (!spot.cell) return false;
-    const LightBuffer::Entry* entry = m_buffer.first_transparent(*spot.cell);
-    const LightBuffer::Entry* const end = entry + spot.cell->transparent;
-    const LightProbe point = make_probe();
-    for (; entry < end && entry->near_w < spot.w; ++entry) {
+    if (cell->crowded) return;
+    m_unknown &= ~(1u << i);
+    const double w = m_w[i];
+    const LightBuffer::Entry* entry = m_buffer.m_entries.data() + cell->first;
+    if (cell->covered) {
+      if (w > entry->near_w) return set(i, LightAnswers::kForeseen);
+      ++entry;
+    }
+    const LightBuffer::Entry* end = entry + cell->opaque;
+    const LightProbe point = probe(i);
+    bool foreseen = true;
+    for (; entry < end && entry->near_w < w; ++entry) {
       if (point.is_outside(m_buffer.m_volumes[entry->caster])) continue;
-      if (m_buffer.m_casters[entry->caster].object != spot.unmet) return true;
+      const LightBuffer::Probe answer = exactly(entry->caster, i, lists);
+      if (answer == LightBuffer::Probe::kBlocks) {
+        return set(i, foreseen ? LightAnswers::kForeseen : LightAnswers::kBlocked);
+      }
+      if (answer == LightBuffer::Probe::kMisses) foreseen = false;
     }
-    return false;
+    if (m_has_others) return search_others(i, lists);
+    entry = m_buffer.first_transparent(*cell);
+    end = entry + cell->transparent;
+    for (; entry < end && entry->near_w < w; ++entry) {
+      if (point.is_outside(m_buffer.m_volumes[entry->caster])) continue;
+      if (m_buffer.m_casters[entry->caster].object != unmet(i)) return set_filtered(i);
+    }
+    set(i, LightAnswers::kClear);
+  }
+  const Object* unmet(int i) const {
+    return m_rising >> i & 1 ? m_points.unmet(m_first + i) : nullptr;
+  }
+  LightBuffer::Spot spot(int i) const { return {m_cell[i], m_w[i], true, unmet(i)}; }
+  Ray ray(int i) const { return {point_of(i), m_answers.ray(place(i)).direction}; }
+  double reach(int i) const { return m_answers.distance[place(i)] - m_tolerance; }
+  [[gnu::noinline]] void set_filtered(int i) {
+    set(i, LightAnswers::kFiltered);
+    m_answers.filtered |= std::uint64_t{1} << place(i);
+    m_answers.spot[place(i)] = spot(i);
+  }
+  /// Of an opaque caster whose volume holds the point. One that is not met misses.
+  [[gnu::noinline]] LightBuffer::Probe exactly(std::uint32_t number, int i, HitLists& lists) const {
+    const LightBuffer::Caster& caster = m_buffer.m_casters[number];
+    if (caster.object == unmet(i)) return LightBuffer::Probe::kMisses;
+    return m_buffer.probe(caster, ray(i), m_tolerance, reach(i), lists, NoTally());
+  }
+  /// What no cell holds.
+  [[gnu::noinline]] void search_others(int i, HitLists& lists) {
+    for (const LightBuffer::Caster& caster : m_buffer.m_always_opaque) {
+      if (caster.object->any(ray(i), m_tolerance, reach(i), {lists, RayKind::kShadow})) {
+        return set(i, LightAnswers::kBlocked);
+      }
+    }
+    if (m_buffer.may_filter(spot(i))) return set_filtered(i);
+    set(i, LightAnswers::kClear);
   }
 
   const LightBuffer& m_buffer;
@@ -189,6 +220,11 @@ class LightLanes {
   // In the light's buffer.
   const LightBuffer::Cell* m_cell[LightPoints::kLanes];
   alignas(32) double m_w[LightPoints::kLanes];
+  // LightProbes.
+  alignas(16) float m_probe_x[LightPoints::kLanes], m_probe_y[LightPoints::kLanes];
+  alignas(16) float m_probe_z[LightPoints::kLanes], m_least[LightPoints::kLanes];
+  alignas(16) float m_share[LightPoints::kLanes];
+  const bool m_has_others;  ///< infinite casters
   Double4 m_to[3], m_length2;
 };
 

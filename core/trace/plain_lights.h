@@ -1,6 +1,6 @@
 // The light that lights make of plain textures (core/trace/plain_texture.h) at the places of a block, four at a time,
 // light after light, in the order of operations of SurfaceShading::lit(). World space; colours linear. One a thread.
-// Needs AVX2 (core/base/processor.h). Test: tests/unit/trace/plain_lights_test.cpp.
+// Needs AVX2 (core/base/processor.h). Test: tests/unit/trace/ray_waves_test.cpp.
 #pragma once
 
 #include <array>

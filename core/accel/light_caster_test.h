@@ -1,4 +1,4 @@
-// The search of one cell of a light buffer. Internal to the buffers. World space.
+// The exact test of a caster of a light buffer. Internal to the buffers. World space.
 #pragma once
 
 #include "core/accel/light_buffer.h"
@@ -52,46 +52,6 @@ template <class Count>
     case CasterKind::kAny: break;
   }
   return probe_of(caster.object->any(ray, t_min, t_max, {lists, RayKind::kShadow}));
-}
-
-/// Besides planes. `make_probe()`: the LightProbe of the spot's point.
-template <class Count, class MakeProbe>
-[[gnu::always_inline]] inline LightBuffer::Answer LightBuffer::nearest_blocker(
-    const Spot& spot, const Ray& ray, double t_min, double t_max, HitLists& lists, Count count,
-    const MakeProbe& make_probe) const {
-  if (const Cell* cell = spot.cell) {
-    const Entry* begin = m_entries.data() + cell->first;
-    if (cell->covered) {
-      if (spot.w > begin->near_w) return {m_casters[begin->caster].object, true};
-      ++begin;
-    }
-    const Entry* const end = begin + cell->opaque;
-    if (begin < end && begin->near_w < spot.w) {
-      const LightProbe point = make_probe();
-      bool foreseen = true;
-      const Entry* entry = begin;
-      do {
-        if (point.is_outside(m_volumes[entry->caster])) {
-          count.outside();
-          continue;
-        }
-        const Caster& caster = m_casters[entry->caster];
-        if (caster.object == spot.unmet) {
-          foreseen = false;
-          continue;
-        }
-        const Probe answer = probe(caster, ray, t_min, t_max, lists, count);
-        if (answer == Probe::kBlocks) return {caster.object, foreseen};
-        if (answer == Probe::kMisses) foreseen = false;
-      } while (++entry < end && entry->near_w < spot.w);
-    }
-  }
-  for (const Caster& caster : m_always_opaque) {
-    count.test(caster.object);
-    if (caster.object->any(ray, t_min, t_max, {lists, RayKind::kShadow}))
-      return {caster.object, false};
-  }
-  return {};
 }
 
 }  // namespace lentray::core
