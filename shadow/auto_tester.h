@@ -35,6 +35,9 @@ class AutoTester final : public core::ShadowTester {
     ++counts.cached;
     return m_asker.visibility(query, counts);
   }
+  core::PlainShadowTester* plain() override {
+    return std::ranges::count(m_has_cache, 1) == 0 ? &m_plain : nullptr;
+  }
 
  private:
   static std::vector<std::uint8_t> who_has_caches(const core::Scene& scene) {

@@ -4,27 +4,11 @@
 #include <cmath>
 
 #include "core/accel/light_buffer_builder.h"
-#include "core/object/leaf.h"
-#include "core/shape/box.h"
+#include "core/accel/light_caster_test.h"
 #include "core/shape/plane.h"
-#include "core/shape/polygon.h"
-#include "core/shape/sphere.h"
-#include "core/shape/triangle_shape.h"
 
 namespace lentray::core {
 namespace {
-
-/// What a search counts; the other policy is empty and costs nothing. To find a point outside a volume
-/// is a test of bounds.
-struct Tally {
-  Counters& counters;
-  void test(const Object* object) const { counters.add_tests(object->name(), 1); }
-  void outside() const { ++counters.bounds_tests; }
-};
-struct NoTally {
-  void test(const Object*) const {}
-  void outside() const {}
-};
 
 constexpr double kNearLight = 1e-5;  ///< of the light's coordinates: nearer, rounding counts
 
@@ -50,38 +34,6 @@ const Object* LightBuffer::plane_blocker(const Ray& ray, double t_min, double t_
     if (t > t_min && t < t_max) return plane.object;
   }
   return nullptr;
-}
-
-template <class Count>
-[[gnu::always_inline]] inline LightBuffer::Probe LightBuffer::probe(const Caster& caster,
-                                                                    const Ray& ray, double t_min,
-                                                                    double t_max, HitLists& lists,
-                                                                    Count count) const {
-  const auto probe_of = [](bool blocks) { return blocks ? Probe::kBlocks : Probe::kMisses; };
-  count.test(caster.object);
-  ShapeHit hit;
-  switch (caster.kind) {
-    case CasterKind::kSphere: {
-      const Round& sphere = m_spheres[caster.sphere];
-      double t0 = 0.0, t1 = 0.0;
-      const double inverse_dd = 1.0 / dot(ray.direction, ray.direction);
-      if (!sphere_roots(ray, inverse_dd, sphere.centre, sphere.radius2, t0, t1)) {
-        return Probe::kOutside;
-      }
-      const double t = t0 > t_min ? t0 : t1;
-      return probe_of(t > t_min && t < t_max);
-    }
-    case CasterKind::kPolygon:
-      return probe_of(
-          static_cast<const Polygon*>(caster.shape)->Polygon::nearest(ray, t_min, t_max, hit));
-    case CasterKind::kTriangle:
-      return probe_of(
-          static_cast<const TriangleShape*>(caster.shape)->nearest(ray, t_min, t_max, hit));
-    case CasterKind::kBox:
-      return probe_of(static_cast<const Box*>(caster.shape)->Box::nearest(ray, t_min, t_max, hit));
-    case CasterKind::kAny: break;
-  }
-  return probe_of(caster.object->any(ray, t_min, t_max, {lists, RayKind::kShadow}));
 }
 
 /// Not inlined, so that any_opaque() needs no frame where there are planes alone.

@@ -21,6 +21,9 @@
 
 namespace lentray::core {
 
+class LightPoints;
+struct LightAnswers;
+
 class LightBuffer {
  public:
   /// Borrows the objects of the casters. `tolerance`: hits nearer to an end of a shadow ray than this
@@ -58,6 +61,11 @@ class LightBuffer {
   /// tolerance, t_max the way to the light less the tolerance.
   Answer any_opaque(const Spot& spot, const Ray& to_light, double t_min, double t_max,
                     HitLists& lists, Counters* counters) const;
+  /// The same of many points whose rays go to the light's position, and that nothing filters it: four at a time,
+  /// with the bits of any_opaque() and may_filter(). `tolerance`: of shadows. Needs AVX2
+  /// (core/base/processor.h).
+  void ask_together(const LightPoints& points, double tolerance, HitLists& lists,
+                    LightAnswers& answers) const;
   /// False: nothing there filters the light.
   bool may_filter(const Spot& spot) const;
   /// As Hierarchy::all_transparent. The ray may begin nearer to the light than the point of `spot`.
@@ -94,6 +102,7 @@ class LightBuffer {
     const Object* object;
   };
   friend class LightBufferBuilder;
+  friend class LightLanes;
   /// Outside: the ray's line does not come near, as with a volume.
   enum class Probe : std::uint8_t { kOutside, kMisses, kBlocks };
 

@@ -61,6 +61,7 @@ class LightRaster {
   int size(int side) const { return m_size[side]; }
   /// Cells a unit of u or v.
   double per_cell(int side) const { return m_per_cell[side]; }
+  double least(int side) const { return m_lo[side]; }  ///< u or v where the cells begin
   /// u or v to cells, and back.
   double in_cells(int side, double at) const { return (at - m_lo[side]) * m_per_cell[side]; }
   double place(int side, double cell) const { return m_lo[side] + cell / m_per_cell[side]; }

@@ -30,9 +30,21 @@ class LightProbe {
       : m_x(simd::float4(static_cast<float>(point.x))),
         m_y(simd::float4(static_cast<float>(point.y))),
         m_z(simd::float4(static_cast<float>(point.z))),
-        m_least(simd::float4(w < reach ? -kSlack * static_cast<float>(w)
-                                       : -std::numeric_limits<float>::infinity())),
-        m_w(static_cast<float>(w)), m_t_min(static_cast<float>(t_min)) {}
+        m_least(simd::float4(least_of(static_cast<float>(w), w < reach))),
+        m_share(share_of(static_cast<float>(w), static_cast<float>(t_min))) {}
+  /// The same of a point in floats, with its limits().
+  LightProbe(const float* x, const float* y, const float* z, const float* least, float share)
+      : m_x(simd::float4(*x)), m_y(simd::float4(*y)), m_z(simd::float4(*z)),
+        m_least(simd::float4(*least)), m_share(share) {}
+  /// Of four points: `in_reach` has the bits of those whose w is less than the reach.
+  static void limits(Float4 w, double t_min, unsigned in_reach, float (&least)[4],
+                     float (&share)[4]) {
+    simd::store(least, -kSlack * w);
+    for (unsigned out = ~in_reach & 15u; out != 0; out &= out - 1) {
+      least[__builtin_ctz(out)] = -std::numeric_limits<float>::infinity();
+    }
+    simd::store(share, share_of(w, static_cast<float>(t_min)));
+  }
 
   bool is_outside(const LightVolume& volume) const {
     const Float4 x = m_x * simd::float4_at(volume.x), y = m_y * simd::float4_at(volume.y);
@@ -44,18 +56,24 @@ class LightProbe {
   /// A share of w: rounding in floats is less than half of it, rounding in doubles less than a quarter.
   static constexpr float kSlack = 0x1p-19f;
 
+  static float least_of(float w, bool in_reach) {
+    return in_reach ? -kSlack * w : -std::numeric_limits<float>::infinity();
+  }
   /// A hit that is farther than t_min along the ray is farther behind the point than the share
   /// t_min / length of the plane's distance.
-  bool is_before(const float (&plane)[4]) const {
+  template <class Floats>
+  [[gnu::always_inline]] static Floats share_of(Floats w, float t_min) {
     constexpr float kLongest = 1.7320509f;  // of w
-    const float share = 1.0f + m_t_min / (kLongest * m_w);
+    return 1.0f + t_min / (kLongest * w);
+  }
+  bool is_before(const float (&plane)[4]) const {
     const float behind =
-        m_x[0] * plane[0] + m_y[0] * plane[1] + m_z[0] * plane[2] + share * plane[3];
+        m_x[0] * plane[0] + m_y[0] * plane[1] + m_z[0] * plane[2] + m_share * plane[3];
     return behind < m_least[0];
   }
 
   Float4 m_x, m_y, m_z, m_least;
-  float m_w, m_t_min;
+  float m_share;
 };
 
 /// Makes the volumes of one light, for points within `reach` of it. `distance`: from the light to the object's box.

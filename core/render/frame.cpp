@@ -62,9 +62,13 @@ void take_jobs(Work& work) {
   const std::unique_ptr<IndirectLight> indirect = make_indirect_light(context, *tester);
   Integrator integrator(context, *tester);
   std::optional<FirstHits> hits;
-  if (work.options.bundles) hits.emplace(context);
+  std::optional<RayWaves> waves;
+  if (work.options.bundles) {
+    hits.emplace(context);
+    waves.emplace(context, integrator, *tester);
+  }
   Sampler sampler(work.camera, {work.options.angles, work.options.alpha}, integrator,
-                  hits ? &*hits : nullptr);
+                  hits ? &*hits : nullptr, waves ? &*waves : nullptr);
   std::optional<FrameMeter> meter;
   if (work.progress) meter.emplace(*work.progress);
   static constexpr std::atomic<bool> kNever{false};

@@ -22,6 +22,15 @@ std::size_t Sampler::find_hits(std::span<const Pixel> pixels) {
   return i;
 }
 
+void Sampler::trace_waves(std::span<const Pixel> block) {
+  m_ray_pixels.clear();
+  for (std::size_t i = 0; i < block.size(); ++i) {
+    if (m_has_ray[i]) m_ray_pixels.push_back(block[i]);
+  }
+  if (m_ray_pixels.empty()) return;
+  m_waves->trace(std::span(m_rays).first(m_ray_pixels.size()), m_ray_pixels, *m_hits, m_seen);
+}
+
 bool Sampler::sample(const PixelPlace& place, std::uint32_t index, Radiance& out) {
   const std::uint64_t key = sample_key(place.column, place.row, index);
   if (m_options.angles <= 1) return direction(place, key, out);

@@ -13,6 +13,7 @@
 #include "core/render/ray_source.h"
 #include "core/trace/first_hits.h"
 #include "core/trace/integrator.h"
+#include "core/trace/ray_waves.h"
 
 namespace lentray::core {
 
@@ -23,12 +24,14 @@ struct SamplerOptions {
 
 class Sampler {
  public:
-  /// `hits`: finds what neighbouring rays meet; null: each ray is searched for alone.
+  /// `hits`: finds what neighbouring rays meet; null: each ray is searched for alone. `waves`: follows such rays
+  /// together; null: each is followed alone.
   Sampler(const RaySource& camera, const SamplerOptions& options, Integrator& integrator,
-          FirstHits* hits)
+          FirstHits* hits, RayWaves* waves)
       : m_camera(camera), m_blur(camera.blur()), m_options(options),
         m_is_mean(options.angles > 1 || m_blur || camera.rays_a_place() > 1),
-        m_integrator(integrator), m_hits(hits && hits->works() && !m_is_mean ? hits : nullptr) {}
+        m_integrator(integrator), m_hits(hits && hits->works() && !m_is_mean ? hits : nullptr),
+        m_waves(waves && waves->works() ? waves : nullptr) {}
 
   /// Sample 0 of each of those pixels of the image, at their centres: `keep(pixel, radiance)`.
   /// Pixels without a ray are black and counted. False if `stop()` said so before one of them.
@@ -60,12 +63,14 @@ class Sampler {
     while (!pixels.empty()) {
       const auto block =
           pixels.first(find_hits(pixels.first(std::min(pixels.size(), FirstHits::kMost))));
+      if (m_waves) trace_waves(block);
       std::size_t ray = 0;
       for (std::size_t i = 0; i < block.size(); ++i) {
         if (stop()) return false;
         Radiance seen;
         if (m_has_ray[i]) {
-          seen = of_block(block[i], ray++);
+          seen = m_waves ? m_seen[ray] : of_block(block[i], ray);
+          ++ray;
         } else {
           ++counters.dark_pixels;
         }
@@ -77,6 +82,8 @@ class Sampler {
   }
   /// The rays of these pixels, and what those of the first of them meet: of how many.
   std::size_t find_hits(std::span<const Pixel> pixels);
+  /// Fills m_seen for the rays of these.
+  void trace_waves(std::span<const Pixel> block);
   Radiance of_block(const Pixel& pixel, std::size_t i) {
     const Ray& ray = m_rays[i];
     if (!m_hits->is_known(i)) return m_integrator.trace(ray, pixel);
@@ -106,7 +113,10 @@ class Sampler {
   const bool m_is_mean;  ///< whether a sample is more than one ray
   Integrator& m_integrator;
   FirstHits* const m_hits;                         ///< null: each ray is searched for alone
+  RayWaves* const m_waves;                         ///< null: each ray is followed alone
   std::vector<Ray> m_rays;                         ///< of a block of pixels
+  std::vector<Pixel> m_ray_pixels;                 ///< of these rays, in waves
+  std::array<Radiance, FirstHits::kMost> m_seen;   ///< of these rays, in waves
   std::array<bool, FirstHits::kMost> m_has_ray{};  ///< of its pixels
 };
 

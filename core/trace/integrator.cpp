@@ -53,6 +53,15 @@ Integrator::Integrator(ThreadContext& context, ShadowTester& shadows, const Path
 
 Radiance Integrator::follow(const RayState& state) { return follow_here(state); }
 
+Radiance Integrator::follow_from(const RayState& state, std::size_t depth) {
+  const std::size_t before = m_depth;
+  while (m_records.size() < depth) m_records.push_back(std::make_unique<RayRecord>());
+  m_depth = depth;
+  const Radiance seen = follow(state);
+  m_depth = before;
+  return seen;
+}
+
 [[gnu::always_inline]] inline RayState Integrator::begin(const Ray& ray, Pixel pixel,
                                                          std::uint64_t key) {
   m_context.interiors.forget_if_large();

@@ -37,6 +37,9 @@ class Integrator {
                   std::endian::little);  // sample_key() of a pixel is its bits
     return trace(ray, pixel, std::bit_cast<std::uint64_t>(pixel));
   }
+  /// What a ray brings that goes on from another, with so many before it on its way.
+  Radiance follow_from(const RayState& state, std::size_t depth);
+  RayStepper& stepper() { return m_stepper; }
   /// The light along a ray that is not the camera's. The ray itself sees whatever its weight and level are;
   /// what goes on from there ends where that of camera rays does. It may be asked while a ray is traced. Who asks
   /// outside of a sample that is traced begins the context's indirect light itself.

@@ -5,6 +5,7 @@
 #include "core/light/area_light.h"
 #include "core/object/leaf.h"
 #include "core/scene/tolerances.h"
+#include "core/trace/unmet_object.h"
 
 namespace lentray::core {
 
@@ -17,6 +18,24 @@ bool LightLoop::pass_projector(const Object& projector, ShadowQuery& query) cons
   }
   query.distance = hit.t - kClear + m_tolerance;
   return true;
+}
+
+Rgb LightLoop::filters(const LitPoint& lit, std::uint32_t light, const BlockLights& block,
+                       std::size_t place) const {
+  const LightAnswers& answers = *block.of(light);
+  const LightRay ray = answers.ray(place);
+  ShadowQuery query = query_at(lit);
+  query.light = light;
+  query.spot = &answers.spot[place];
+  query.ray.direction = ray.direction;
+  query.distance = ray.distance;
+  return m_plain->filters(query);
+}
+
+void LightLoop::ask_alone(const LitPoint& lit, IncomingLight& incoming, LightsAtPoint& known) {
+  known.spots[incoming.source->index].known = false;
+  ShadowQuery query = query_at(lit);
+  ask(incoming, query, known);
 }
 
 Rgb LightLoop::of_area(const Rgb& colour, const LightRay& ray, ShadowQuery& query) {
@@ -46,33 +65,20 @@ void LightLoop::look_ahead(const LightLists& lists, const Vec3& normal, const Hi
       if (spot.known) source.buffer->locate(point, spot);
     }
   }
-  // In test_cost()'s unit (core/accel/test_cost.h): the test of a simpler object costs no more than
-  // this search.
-  constexpr double kWorthwhile = 12.0;
-  if (hit.object->test_cost() >= kWorthwhile && hit.leaf->convexity() != Convexity::kNone) {
-    find_unmet(lists, normal, hit, from_behind, point, known);
-  }
+  const UnmetObject unmet = unmet_object(hit, from_behind, point, m_tolerance);
+  if (unmet.object) mark_unmet(lists, normal, unmet, point, known);
 }
 
-/// Marks the hit object as not in the way of lights on the front side of a convex surface. Rays whose
-/// cosine to the normal is less than `slope` are left out: a point that rounding put inside could
-/// still meet it.
-void LightLoop::find_unmet(const LightLists& lists, const Vec3& normal, const Hit& hit,
-                           bool from_behind, const Vec3& point, LightsAtPoint& known) const {
-  constexpr double kLeast = 1e-3, kRounding = 1e-9;
-  if (!hit.object->lies_in_parts()) return;
-  const bool either_side = hit.leaf->convexity() == Convexity::kFlat && hit.object == hit.leaf;
-  if (from_behind && !either_side) return;
-  const double off =
-      kRounding * (std::fabs(point.x) + std::fabs(point.y) + std::fabs(point.z) + hit.t);
-  const double slope = std::max(kLeast, off / m_tolerance);
+/// Of lights on the front side.
+void LightLoop::mark_unmet(const LightLists& lists, const Vec3& normal, const UnmetObject& unmet,
+                           const Vec3& point, LightsAtPoint& known) const {
+  const double slope2 = unmet.slope * unmet.slope;
   for (const std::span<const std::uint32_t> lights : lists) {
     for (const std::uint32_t i : lights) {
       if (!known.spots[i].known || !m_sources[i].straight) continue;
       const Vec3 to = m_sources[i].position - point;
       const double up = dot(normal, to);
-      if (up > 0.0 && up * up > slope * slope * length_squared(to))
-        known.spots[i].unmet = hit.object;
+      if (up > 0.0 && up * up > slope2 * length_squared(to)) known.spots[i].unmet = unmet.object;
     }
   }
 }

@@ -21,11 +21,15 @@
 #include "core/light/light_ray.h"
 #include "core/object/leaf.h"
 #include "core/scene/tolerances.h"
+#include "core/trace/block_lights.h"
+#include "core/trace/plain_shadow_tester.h"
 #include "core/trace/random_key.h"
 #include "core/trace/shadow_tester.h"
 #include "core/trace/thread_context.h"
 
 namespace lentray::core {
+
+struct UnmetObject;
 
 /// A light, and those of its properties that every shading point needs, copied next to each other so that they
 /// share cache lines.
@@ -76,6 +80,8 @@ struct LitPoint {
 /// which all layers of a texture share. A buffer that is used from point to point.
 struct LightsAtPoint {
   explicit LightsAtPoint(std::size_t lights) : arriving(lights), is_known(lights), spots(lights) {}
+  const BlockLights* block = nullptr;  ///< that has asked for the point already; null: none
+  std::size_t place = 0;               ///< of the point in it
   void forget_arriving() { std::fill(is_known.begin(), is_known.end(), std::uint8_t{0}); }
   std::vector<Rgb> arriving;
   std::vector<std::uint8_t> is_known;  ///< whether `arriving` is
@@ -87,7 +93,8 @@ class LightLoop {
   /// `area_lights`: false: they are points. `asked_again`: a point may be asked for more than once
   /// (LightsAtPoint::forget_arriving() between points).
   LightLoop(ThreadContext& context, ShadowTester& shadows, bool area_lights, bool asked_again)
-      : m_context(context), m_scene(context.scene), m_shadows(shadows), m_asked_again(asked_again),
+      : m_context(context), m_scene(context.scene), m_shadows(shadows), m_plain(shadows.plain()),
+        m_asked_again(asked_again),
         m_tolerance(kShadowTolerance * context.scene.tolerance_scale()) {
     for (std::size_t i = 0; i < m_scene.lights().size(); ++i) {
       m_sources.emplace_back(m_scene.lights()[i], static_cast<std::uint32_t>(i),
@@ -138,6 +145,9 @@ class LightLoop {
     query.volumes = lit.volumes;
     return query;
   }
+  /// What filters leave of a light at a place of a block where the answer is kFiltered.
+  Rgb filters(const LitPoint& lit, std::uint32_t light, const BlockLights& block,
+              std::size_t place) const;
   /// Takes from the colour what does not arrive.
   void ask(IncomingLight& incoming, ShadowQuery& query, LightsAtPoint& known) {
     if (!incoming.source->may_be_hindered) return;
@@ -168,6 +178,7 @@ class LightLoop {
   template <class Facing, class Receiver>
   [[gnu::always_inline]] void at(const LitPoint& lit, const LightLists& lists, LightsAtPoint& known,
                                  const Facing& facing, Receiver& receiver) {
+    if (known.block) return at_in_block(lit, lists, known, facing, receiver);
     ShadowQuery query = query_at(lit);
     for (const std::span<const std::uint32_t> lights : lists) {
       for (const std::uint32_t i : lights) {
@@ -180,6 +191,60 @@ class LightLoop {
   }
 
  private:
+  /// at() where the block has asked for most lights.
+  template <class Facing, class Receiver>
+  [[gnu::always_inline]] void at_in_block(const LitPoint& lit, const LightLists& lists,
+                                          LightsAtPoint& known, const Facing& facing,
+                                          Receiver& receiver) {
+    for (const std::span<const std::uint32_t> lights : lists) {
+      for (const std::uint32_t i : lights) {
+        const LightAnswers::Answer answer = known.block->answer(i, known.place);
+        IncomingLight incoming;
+        if (!LightAnswers::has_ray(answer)) {
+          if (!may_reach(m_sources[i], lit.point, facing, incoming)) continue;
+          ask_alone(lit, incoming, known);
+        } else {
+          if (!faces_known(m_sources[i], lit.point, facing, known, incoming)) continue;
+          if (m_asked_again && known.is_known[i]) {
+            incoming.colour = known.arriving[i];
+          } else {
+            pass(answer, lit, incoming, known);
+          }
+        }
+        resolve(incoming, receiver);
+      }
+    }
+  }
+  /// may_reach() where the ray is known.
+  template <class Facing>
+  [[gnu::always_inline]] static bool faces_known(const LightSource& source, const Vec3& point,
+                                                 const Facing& facing, const LightsAtPoint& known,
+                                                 IncomingLight& out) {
+    out.source = &source;
+    out.ray = known.block->of(source.index)->ray(known.place);
+    out.colour = source.even ? source.colour : light_colour(source.light, point, out.ray);
+    return !is_dark(out.colour) && facing.faces(source, out.ray.direction);
+  }
+  /// ask() where the answer is known.
+  [[gnu::always_inline]] void pass(LightAnswers::Answer answer, const LitPoint& lit,
+                                   IncomingLight& incoming, LightsAtPoint& known) {
+    const std::uint32_t light = incoming.source->index;
+    m_plain->count(light, LightAnswers::is_dark(answer), answer == LightAnswers::kForeseen);
+    if (LightAnswers::is_dark(answer)) {
+      incoming.colour *= Rgb(0.0f);
+    } else if (answer == LightAnswers::kFiltered) {
+      pass_filters(lit, incoming, known);
+    }
+    if (m_asked_again) {
+      known.arriving[light] = incoming.colour;
+      known.is_known[light] = 1;
+    }
+  }
+  void pass_filters(const LitPoint& lit, IncomingLight& incoming, const LightsAtPoint& known) {
+    incoming.colour *= filters(lit, incoming.source->index, *known.block, known.place);
+  }
+  void ask_alone(const LitPoint& lit, IncomingLight& incoming, LightsAtPoint& known);
+
   /// Collects one light; false: it is dark at the point, or unwanted.
   template <class Facing>
   [[gnu::always_inline]] static bool may_reach(const LightSource& source, const Vec3& point,
@@ -216,12 +281,13 @@ class LightLoop {
 
   Rgb of_area(const Rgb& colour, const LightRay& ray, ShadowQuery& query);
 
-  void find_unmet(const LightLists& lists, const Vec3& normal, const Hit& hit, bool from_behind,
+  void mark_unmet(const LightLists& lists, const Vec3& normal, const UnmetObject& unmet,
                   const Vec3& point, LightsAtPoint& known) const;
 
   ThreadContext& m_context;
   const Scene& m_scene;
   ShadowTester& m_shadows;
+  PlainShadowTester* const m_plain;  ///< null: `m_shadows` is to be asked for each ray
   const bool m_asked_again;
   const double m_tolerance;            ///< kShadowTolerance in this scene
   std::vector<LightSource> m_sources;  ///< one a light of the scene

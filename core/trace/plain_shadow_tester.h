@@ -33,6 +33,23 @@ class PlainShadowTester final : public ShadowTester {
     return seen;
   }
 
+  PlainShadowTester* plain() override { return this; }
+  /// Counts a ray as visibility() does, which was asked for elsewhere. `foreseen`: as LightBuffer::Answer's.
+  void count(std::uint32_t light, bool blocked, bool foreseen) {
+    ShadowCounts& counts = m_context.counters.lights[light];
+    ++counts.rays;
+    if (!blocked) return;
+    ++counts.blocked;
+    if (m_counts_hits) ++(foreseen ? counts.hits : counts.misses);
+  }
+  bool counts_hits() const { return m_counts_hits; }
+  /// What is left of the light where no opaque object is in the way, not counted as a ray. The query's spot is
+  /// known, and the light's buffer serves it.
+  Rgb filters(const ShadowQuery& query) {
+    return filter_through(query, m_context.scene.light_buffer(query.light), query.spot,
+                          query.distance - m_tolerance);
+  }
+
   /// The full search, not counted as a ray.
   Visibility search(const ShadowQuery& query);
   /// The same test against one opaque object of the scene: whether it alone blocks the query.

@@ -28,6 +28,19 @@ struct RayState {
   std::uint8_t scattered = 0;
 };
 
+/// Where a ray has met a surface.
+struct MetPlace {
+  MetPlace() {}  // not defaulted: that would clear all
+  MetPlace(const Ray& ray, const Hit& hit)
+      : point(ray.at(hit.t)), normal(hit.leaf->normal(point, hit.shape)),
+        from_behind(dot(normal, ray.direction) > 0.0) {
+    if (from_behind) normal = -normal;
+  }
+  Vec3 point;
+  Vec3 normal;       ///< unit, facing the ray
+  bool from_behind;  ///< the ray leaves the surface's solid
+};
+
 /// A place on a surface that is shaded. Members without initialisers: all are given.
 struct Surface {
   const RayState& state;

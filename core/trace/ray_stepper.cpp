@@ -41,40 +41,63 @@ void RayStepper::pass_open_air(const RayState& state, const RayRecord& record, R
   if (!m_air->fogs.empty()) pass_fogs(*m_air, segment, light);
 }
 
+[[gnu::always_inline]] inline void RayStepper::add_onward(const LayerSum& sum, const Surface& at,
+                                                          const ShadingBuffers& buffers,
+                                                          RayRecord& record) {
+  bool total_reflection = false;
+  if (m_paths.transparency && sum.transparency > m_bailout) {
+    total_reflection = add_transmitted(sum, at, record);
+  }
+  if (m_paths.reflection) add_mirrors(sum, total_reflection, at, buffers, record);
+}
+
 [[gnu::always_inline]] inline Radiance RayStepper::shade_texture(const LayeredTexture& texture,
                                                                  Surface& at,
                                                                  ShadingBuffers& buffers,
                                                                  RayRecord& record) {
   LayerSum sum;
   m_shading.shade(texture, at, buffers, sum);
-  bool total_reflection = false;
-  if (m_paths.transparency && sum.transparency > m_bailout) {
-    total_reflection = add_transmitted(sum, at, record);
-  }
-  if (m_paths.reflection) add_mirrors(sum, total_reflection, at, buffers, record);
+  add_onward(sum, at, buffers, record);
   if (sum.is_seen_through) [[unlikely]]
     add_unscattered(at, buffers, record);
   return {sum.light};
 }
 
-void RayStepper::shade(const RayState& state, const Hit& hit, RayRecord& record) {
-  const Vec3 point = state.ray.at(hit.t);
-  Vec3 normal = hit.leaf->normal(point, hit.shape);
-  const bool from_behind = dot(normal, state.ray.direction) > 0.0;
-  if (from_behind) normal = -normal;
-  Surface at{state,
-             *record.attributes,
-             {point, normal, state.ray.direction, &hit},
-             normal,
-             point,
-             1.0,
-             record.level,
-             0,
-             from_behind};
+namespace {
+
+Surface surface_at(const RayState& state, const Hit& hit, const MetPlace& where,
+                   const RayRecord& record) {
+  return {state,
+          *record.attributes,
+          {where.point, where.normal, state.ray.direction, &hit},
+          where.normal,
+          where.point,
+          1.0,
+          record.level,
+          0,
+          where.from_behind};
+}
+
+}  // namespace
+
+void RayStepper::shade_plain(const RayState& state, const Hit& hit, const MetPlace& where,
+                             const PlainTexture& texture, const Rgb& lit, RayRecord& record) {
+  const Surface at = surface_at(state, hit, where, record);
+  if (m_buffers.empty()) add_buffers();
+  ShadingBuffers& buffers = *m_buffers.front();
+  LayerSum sum;
+  m_shading.shade_plain(texture, lit, at, buffers, sum);
+  add_onward(sum, at, buffers, record);
+  record.own = {sum.light};
+}
+
+void RayStepper::shade(const RayState& state, const Hit& hit, const MetPlace& where,
+                       const BlockLights* block, std::size_t place, RayRecord& record) {
+  Surface at = surface_at(state, hit, where, record);
   if (at.attributes.uv_mapping) at.texture_point = texture_point(at.context);
   ShadingBuffers& buffers = m_shaded < m_buffers.size() ? *m_buffers[m_shaded] : add_buffers();
   ++m_shaded;
-  m_shading.begin(at, buffers);
+  m_shading.begin(at, block, place, buffers);
   if (m_paths.layers) {
     shade_textures(at, buffers, record);
   } else {

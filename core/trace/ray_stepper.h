@@ -56,19 +56,40 @@ class RayStepper {
   }
   /// The same of a ray that has met this; null: nothing.
   void see(const RayState& state, const Hit* hit, RayRecord& record) {
+    if (hit) {
+      see_surface(state, *hit, MetPlace(state.ray, *hit), nullptr, 0, record);
+    } else {
+      see_nothing(state, record);
+    }
+  }
+  void see_nothing(const RayState& state, RayRecord& record) {
     record.parts.clear();
     record.onward.clear();
-    if (hit) {
-      record.attributes = &hit->leaf->attributes();
-      record.length = hit->t;
-      record.level = state.level + (state.straight_on ? 0 : 1);
-      shade(state, *hit, record);
+    record.attributes = nullptr;
+    record.length = kOpenAir;
+    record.level = state.level + 1;
+    record.own = sky_radiance(m_scene, state.ray.direction, state.kind >= RayKind::kReflection);
+  }
+  /// `block`: has asked for the lights there, at `place` of its places; null: nobody has.
+  void see_surface(const RayState& state, const Hit& hit, const MetPlace& where,
+                   const BlockLights* block, std::size_t place, RayRecord& record) {
+    begin_surface(state, hit, record);
+    shade(state, hit, where, block, place, record);
+  }
+  /// The same of a plain texture, of which the lights make this. No photons light it.
+  void see_plain(const RayState& state, const Hit& hit, const MetPlace& where,
+                 const PlainTexture& texture, const Rgb& lit, RayRecord& record) {
+    begin_surface(state, hit, record);
+    if (texture.goes_on()) {
+      shade_plain(state, hit, where, texture, lit, record);
     } else {
-      record.attributes = nullptr;
-      record.length = kOpenAir;
-      record.level = state.level + 1;
-      record.own = sky_radiance(m_scene, state.ray.direction, state.kind >= RayKind::kReflection);
+      record.own = {SurfaceShading::with_plain(texture, lit)};
     }
+  }
+  /// What filters leave of a light at a place of a block.
+  Rgb filters(const RayState& state, const MetPlace& where, std::uint32_t light,
+              const BlockLights& block, std::size_t place) const {
+    return m_shading.filters(state, where.point, level_of(state), light, block, place);
   }
   /// Changes the light that RayRecord::gather() found into what arrives at the ray's origin.
   void arrive(const RayState& state, const RayRecord& record, Radiance& light) {
@@ -79,10 +100,23 @@ class RayStepper {
   }
 
  private:
+  static int level_of(const RayState& state) { return state.level + (state.straight_on ? 0 : 1); }
+  static void begin_surface(const RayState& state, const Hit& hit, RayRecord& record) {
+    record.parts.clear();
+    record.onward.clear();
+    record.attributes = &hit.leaf->attributes();
+    record.length = hit.t;
+    record.level = level_of(state);
+  }
   bool is_cut(int level, float weight) const { return level >= m_max_level || weight < m_bailout; }
 
-  void shade(const RayState& state, const Hit& hit, RayRecord& record);
+  void shade(const RayState& state, const Hit& hit, const MetPlace& where, const BlockLights* block,
+             std::size_t place, RayRecord& record);
+  void shade_plain(const RayState& state, const Hit& hit, const MetPlace& where,
+                   const PlainTexture& texture, const Rgb& lit, RayRecord& record);
   ShadingBuffers& add_buffers();
+  void add_onward(const LayerSum& sum, const Surface& at, const ShadingBuffers& buffers,
+                  RayRecord& record);
   void shade_textures(Surface& at, ShadingBuffers& buffers, RayRecord& record);
   /// The texture's own light; adds the rays that go on from it.
   Radiance shade_texture(const LayeredTexture& texture, Surface& at, ShadingBuffers& buffers,

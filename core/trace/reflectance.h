@@ -64,22 +64,32 @@ inline double power(double x, double exponent) {
     if (left == 0) return result;
   }
 }
-inline double phong_intensity(const Finish& finish, const LayerLight& on) {
-  const Vec3 mirrored = on.eye + on.normal * (-2.0 * dot(on.eye, on.normal));
-  const double cosine = dot(mirrored, on.towards_light);
+/// Of the cosine between the light and the mirrored ray.
+inline double phong_of(const Finish& finish, double cosine) {
   if (!(cosine > 0.0)) return 0.0;
   // Below 0.0008 a high power underflows: it is cut there.
   if (finish.phong_size >= 60.0 && cosine <= 0.0008) return 0.0;
   return finish.phong * power(cosine, finish.phong_size);
 }
+/// Of the cosine between the normal and the direction halfway from light to eye.
+inline double specular_of(const Finish& finish, double cosine) {
+  if (!(cosine > 0.0)) return 0.0;
+  return finish.specular * power(cosine, finish.roughness_exponent);
+}
+inline double phong_intensity(const Finish& finish, const LayerLight& on) {
+  const Vec3 mirrored = on.eye + on.normal * (-2.0 * dot(on.eye, on.normal));
+  return phong_of(finish, dot(mirrored, on.towards_light));
+}
 inline double specular_intensity(const Finish& finish, const LayerLight& on) {
   const Vec3 halfway = (on.towards_light - on.eye) * 0.5;
   const double size = length(halfway);
   if (!(size > 0.0)) return 0.0;
-  const double cosine = dot(halfway, on.normal) / size;
-  if (!(cosine > 0.0)) return 0.0;
-  return finish.specular * power(cosine, finish.roughness_exponent);
+  return specular_of(finish, dot(halfway, on.normal) / size);
 }
+inline bool reflects(const Finish& finish) {
+  return !finish.reflection_max.is_black() || !finish.reflection_min.is_black();
+}
+
 /// The light as a metal's highlights show it.
 Rgb metal_highlight(const Finish& finish, const LayerLight& on);
 /// phong and specular, metallic or not.

@@ -13,6 +13,7 @@
 
 namespace lentray::core {
 
+class PlainShadowTester;
 struct ThreadContext;
 
 inline constexpr std::uint32_t kTreePlaces = 64;
@@ -45,6 +46,9 @@ class ShadowTester {
  public:
   virtual ~ShadowTester() = default;
   virtual Visibility visibility(const ShadowQuery& query) = 0;
+  /// The plain tester if this one only passes it the queries: then rays may be asked for in any other way that
+  /// gives its answers (core/trace/block_lights.h). Null: this one wants to be asked for each ray.
+  virtual PlainShadowTester* plain() { return nullptr; }
 };
 
 /// Makes one tester a thread (const: called from many threads).

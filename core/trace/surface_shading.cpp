@@ -5,8 +5,10 @@
 
 #include "core/light/area_light.h"
 #include "core/photon/photon_map.h"
+#include "core/trace/facing.h"
 #include "core/trace/illumination.h"
 #include "core/trace/indirect_light.h"
+#include "core/trace/layer_opacity.h"
 #include "core/trace/photon_light.h"
 #include "core/trace/random_key.h"
 #include "core/trace/reflectance.h"
@@ -14,19 +16,6 @@
 
 namespace lentray::core {
 namespace {
-
-constexpr double kGrazing = 1e-10;  ///< a light at less than this cosine is behind the surface
-constexpr int kOpacityByAlphaSince = 370;
-
-bool reflects(const Finish& finish) {
-  return !finish.reflection_max.is_black() || !finish.reflection_min.is_black();
-}
-
-float opacity_of(const Colour& c, bool legacy) {
-  // Scenes before 3.7 weigh the filter by the brightest channel.
-  if (legacy) return 1.0f - (c.filter * greatest(c.rgb) + c.transmit);
-  return 1.0f - c.filter - c.transmit;
-}
 
 bool shows_light(const Finish& finish) {
   return finish.diffuse != 0.0 || finish.diffuse_back != 0.0 || finish.specular != 0.0 ||
@@ -38,8 +27,7 @@ bool shows_light(const Finish& finish) {
 SurfaceShading::SurfaceShading(ThreadContext& context, ShadowTester& shadows,
                                const PathRules& rules)
     : m_context(context), m_photons(surface_photons(context)), m_settings(context.scene.settings()),
-      m_rules(rules), m_legacy_opacity(m_settings.language_version < kOpacityByAlphaSince),
-      m_paths(context.scene.needs()),
+      m_rules(rules), m_paths(context.scene.needs()),
       m_lights(context, shadows, rules.area_lights, m_paths.layers) {
   if (context.scene.needs().subsurface && rules.subsurface) {
     m_subsurface = std::make_unique<SubsurfaceLight>(context, shadows, rules);
@@ -78,7 +66,7 @@ void SurfaceShading::shade_layer(const TextureLayer& layer, Surface& at, LayerSu
   }
 
   const bool may_be_clear = m_paths.transparency || m_paths.layers;
-  const double opacity = may_be_clear ? opacity_of(colour, m_legacy_opacity) : 1.0;
+  const double opacity = may_be_clear ? layer_opacity(colour, m_settings) : 1.0;
   Rgb own = times(colour.rgb * finish.ambient * m_settings.ambient_light, opacity);
   own += times(colour.rgb * finish.emission, opacity);
   if (finish.subsurface) [[unlikely]]
@@ -256,6 +244,20 @@ Rgb SurfaceShading::lit(const Finish& finish, const Rgb& pigment, const Vec3& no
                m_photons && collects_photons(at), m_rules.volumes},
               m_lights.lights_of(at.attributes), known, facing, receiver);
   return receiver.sum;
+}
+
+void SurfaceShading::shade_plain(const PlainTexture& texture, const Rgb& lit, const Surface& at,
+                                 ShadingBuffers& buffers, LayerSum& sum) const {
+  sum.light = with_plain(texture, lit);
+  sum.top_normal = at.normal;
+  sum.top_finish = texture.finish;
+  if (m_paths.reflection) {
+    if (buffers.mirrors.empty()) buffers.mirrors.resize(1);
+    buffers.mirrors[0] = mirror_of(*texture.finish, texture.pigment, at.normal, at, sum);
+  }
+  sum.filter = texture.filter;
+  sum.transparency = texture.transparency;
+  sum.layers = 1;
 }
 
 bool SurfaceShading::collects_photons(const Surface& at) const {

@@ -16,6 +16,7 @@
 #include "core/trace/light_loop.h"
 #include "core/trace/path_features.h"
 #include "core/trace/path_rules.h"
+#include "core/trace/plain_texture.h"
 #include "core/trace/ray_state.h"
 #include "core/trace/subsurface_light.h"
 
@@ -63,17 +64,39 @@ class SurfaceShading {
   SurfaceShading(ThreadContext& context, ShadowTester& shadows, const PathRules& rules);
 
   std::size_t lights() const { return m_lights.lights(); }
-  /// To be called before anything else of a surface.
-  void begin(const Surface& at, ShadingBuffers& buffers) const {
+  /// To be called before anything else of a surface. `block`: has asked for its lights, at `place`; null: nobody has.
+  void begin(const Surface& at, const BlockLights* block, std::size_t place,
+             ShadingBuffers& buffers) const {
     if (m_paths.layers) {
       buffers.textures.clear();
       buffers.lights.forget_arriving();
     }
+    buffers.lights.block = block;
+    buffers.lights.place = place;
+    if (block) return;
     m_lights.look_ahead(m_lights.lights_of(at.attributes), at.normal, at.hit(), at.from_behind,
                         at.point(), buffers.lights);
   }
   /// From the top layer down, until next to nothing passes.
   void shade(const LayeredTexture& texture, Surface& at, ShadingBuffers& buffers, LayerSum& sum);
+  /// The same where `lit` is the light that the lights make of the surface's texture.
+  void shade_plain(const PlainTexture& texture, const Rgb& lit, const Surface& at,
+                   ShadingBuffers& buffers, LayerSum& sum) const;
+  /// All light of a plain texture itself.
+  static Rgb with_plain(const PlainTexture& texture, const Rgb& lit) {
+    Rgb own = texture.own;
+    own += lit;
+    Rgb sum;
+    sum += own * Rgb(1.0f);
+    return sum;
+  }
+  /// What filters leave of a light at a surface, as LightLoop::filters().
+  Rgb filters(const RayState& state, const Vec3& point, int level, std::uint32_t light,
+              const BlockLights& block, std::size_t place) const {
+    return m_lights.filters(
+        {point, level, state.tree_place, state.inside, state.key, false, false, m_rules.volumes},
+        light, block, place);
+  }
   /// How the thin film of a finish tints light that leaves along `from_light`.
   Rgb film(const Finish& finish, const Vec3& normal, const Vec3& from_light,
            const Surface& at) const;
@@ -102,7 +125,6 @@ class SurfaceShading {
   const PhotonMap* const m_photons;  ///< null: there are none
   const SceneSettings& m_settings;
   const PathRules m_rules;
-  const bool m_legacy_opacity;
   const PathFeatures m_paths;
   LightLoop m_lights;
   std::unique_ptr<SubsurfaceLight> m_subsurface;  ///< null: there is none

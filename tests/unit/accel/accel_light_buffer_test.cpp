@@ -6,6 +6,9 @@
 #include <vector>
 
 #include "core/accel/hierarchy.h"
+#include "core/accel/light_points.h"
+#include "core/base/processor.h"
+#include "core/light/light_ray.h"
 #include "core/object/leaf.h"
 #include "core/shape/cone.h"
 #include "core/shape/smooth_triangle.h"
@@ -69,6 +72,91 @@ void expect_same_answer(const LightBuffer& buffer, const Hierarchy& hierarchy, c
   if (!all.empty()) ++seen[2];
 }
 
+/// Points that are asked for together. A third is not asked for, and of a third an object is said to be unmet.
+class Together {
+ public:
+  Together(const LightBuffer& buffer, const Vec3& light) : m_buffer(buffer), m_light(light) {}
+
+  void add(SceneMaker& make, const Vec3& point, const Object* object) {
+    const Vec3 normal = normalized(make.point());
+    const int kind = make.integer(3);
+    const Object* unmet = kind == 1 ? object : nullptr;
+    if (kind == 0) {
+      m_points.add_none();
+    } else {
+      m_points.add(point, normal, unmet, 1e-3);
+    }
+    m_given.push_back({point, normal, unmet, kind != 0});
+    if (m_given.size() == LightPoints::kMost) ask();
+  }
+  void ask() {
+    m_points.fill_up();
+    m_buffer.ask_together(m_points, kTolerance, m_lists, m_answers);
+    for (std::size_t i = 0; i < m_given.size(); ++i) check(i);
+    m_points.clear();
+    m_given.clear();
+  }
+  int seen(LightAnswers::Answer answer) const { return m_seen[answer]; }
+
+ private:
+  struct Given {
+    Vec3 point, normal;
+    const Object* unmet;
+    bool asks;
+  };
+  void check(std::size_t i) {
+    const LightAnswers::Answer answer = m_answers.at(i);
+    const auto bit = [i](std::uint64_t bits) { return (bits >> i & 1) != 0; };
+    EXPECT_EQ(bit(m_answers.unknown), answer == LightAnswers::kUnknown);
+    EXPECT_EQ(bit(m_answers.filtered), answer == LightAnswers::kFiltered);
+    ++m_seen[answer];
+    EXPECT_EQ(answer, expected(i, answer));
+  }
+  /// By the questions for one point. Where nothing opaque is in the way, the answer may be to look for filters.
+  LightAnswers::Answer expected(std::size_t i, LightAnswers::Answer answer) {
+    const Given& given = m_given[i];
+    if (!given.asks) return LightAnswers::kUnknown;
+    const Vec3 to = m_light - given.point;
+    const double up = dot(given.normal, to);
+    if (up < 0.0) return LightAnswers::kBehind;
+    const LightRay ray = ray_along(to);
+    const double reach = ray.distance - kTolerance;
+    LightBuffer::Spot spot;
+    m_buffer.locate(given.point, spot);
+    if (up > 0.0 && up * up > 1e-3 * 1e-3 * length_squared(to)) spot.unmet = given.unmet;
+    if (!m_buffer.serves(spot, ray.distance) || !(reach > kTolerance))
+      return LightAnswers::kUnknown;
+    EXPECT_EQ(m_answers.ray(i).direction, ray.direction);
+    EXPECT_EQ(m_answers.ray(i).distance, ray.distance);
+    const Ray way{given.point, ray.direction};
+    const LightBuffer::Answer found =
+        m_buffer.any_opaque(spot, way, kTolerance, reach, m_lists, nullptr);
+    if (found.blocker) {
+      return found.foreseen ? LightAnswers::kForeseen : LightAnswers::kBlocked;
+    }
+    std::vector<Hit> filters;
+    if (m_buffer.may_filter(spot)) {
+      m_buffer.all_transparent(spot, way, kTolerance, reach, false, filters, m_lists, nullptr);
+    }
+    if (answer == LightAnswers::kFiltered) {
+      EXPECT_EQ(m_answers.spot[i].cell, spot.cell);
+      EXPECT_EQ(m_answers.spot[i].w, spot.w);
+      EXPECT_EQ(m_answers.spot[i].unmet, spot.unmet);
+      return LightAnswers::kFiltered;
+    }
+    EXPECT_TRUE(filters.empty());
+    return LightAnswers::kClear;
+  }
+
+  const LightBuffer& m_buffer;
+  const Vec3 m_light;
+  HitLists m_lists;
+  LightPoints m_points;
+  LightAnswers m_answers;
+  std::vector<Given> m_given;
+  int m_seen[6] = {};
+};
+
 /// What has an outline by its hull, or none but its box.
 void add_turned(SceneMaker& make, const TestScene& scene, Objects& objects, int count) {
   for (int i = 0; i < count; ++i) {
@@ -123,6 +211,38 @@ TEST_P(UnitCoreLightBuffer, AnswersAsTheHierarchy) {
   EXPECT_GT(seen[1], 1000);
   if (c.scene.flags) {
     EXPECT_GT(seen[2], 100);
+  }
+}
+
+TEST_P(UnitCoreLightBuffer, AnswersManyPointsAsOne) {
+  if (!can_run_avx2()) GTEST_SKIP();
+  const Case& c = GetParam();
+  SceneMaker make(c.scene);
+  Objects objects = make.objects(c.objects);
+  add_turned(make, c.scene, objects, c.objects / 2);
+  const Hierarchy hierarchy(objects);
+  const LightBuffer buffer(c.light, objects, kTolerance, c.cells);
+  HitLists lists;
+  Together together(buffer, c.light);
+  for (int i = 0; i < 20000; ++i) {
+    together.add(make, make.place(), nullptr);
+    const Ray ray = make.ray();
+    Hit hit;
+    if (hierarchy.nearest(ray, 0.0, Bounds::kInf, RayKind::kCamera, hit, lists, nullptr)) {
+      together.add(make, ray.at(hit.t), hit.object);
+    }
+    // Huge numbers, a light's own place, and its axes.
+    if (i % 100 == 0) together.add(make, make.point() * 1e7, nullptr);
+    if (i % 100 == 1) together.add(make, c.light, nullptr);
+    if (i % 100 == 2) together.add(make, c.light + Vec3{1, 1, 0} * make.unit(), nullptr);
+    if (HasFailure()) return;
+  }
+  together.ask();
+  EXPECT_GT(together.seen(LightAnswers::kClear), 500);
+  EXPECT_GT(together.seen(LightAnswers::kForeseen), 200);
+  EXPECT_GT(together.seen(LightAnswers::kBlocked), 20);
+  if (c.scene.flags) {
+    EXPECT_GT(together.seen(LightAnswers::kFiltered), 50);
   }
 }
 

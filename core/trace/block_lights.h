@@ -1,0 +1,55 @@
+// What arrives of the lights at up to 64 points of surfaces, asked for light by light before the surfaces are shaded
+// (core/accel/light_points.h). It knows lights that are points with a light buffer; the light loop asks for others
+// when their turn comes. World space. One a thread.
+// Bits are those of asking one by one: which points are asked together changes none.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "core/accel/light_points.h"
+#include "core/object/hit.h"
+#include "core/trace/shadow_tester.h"
+#include "core/trace/thread_context.h"
+
+namespace lentray::core {
+
+class BlockLights {
+ public:
+  static constexpr std::size_t kMost = LightPoints::kMost;
+  using Answer = LightAnswers::Answer;
+
+  BlockLights(ThreadContext& context, ShadowTester& shadows);
+  /// False: nothing is ever known of any light.
+  bool works() const { return m_works; }
+
+  void clear() { m_points.clear(); }
+  /// The next place; `normal` towards the ray that looks. At most kMost.
+  void add(const Hit& hit, const Vec3& point, const Vec3& normal, bool from_behind);
+  /// A place that is no surface.
+  void add_none() { m_points.add_none(); }
+  /// Once all places are there: asks for all lights.
+  void find();
+
+  Answer answer(std::uint32_t light, std::size_t place) const {
+    const LightAnswers* answers = of(light);
+    return answers ? answers->at(place) : LightAnswers::kUnknown;
+  }
+  /// Of a light; null: nothing is known of it.
+  const LightAnswers* of(std::uint32_t light) const { return m_answers[light].get(); }
+  const LightPoints& points() const { return m_points; }
+  /// Whether something is known of each of the scene's global lights.
+  bool knows_all() const { return m_knows_all; }
+
+ private:
+  ThreadContext& m_context;
+  const double m_tolerance;  ///< kShadowTolerance in this scene
+  bool m_works = false, m_knows_all = false;
+  LightPoints m_points;
+  std::vector<std::unique_ptr<LightAnswers>>
+      m_answers;  ///< one a light of the scene; null: asked alone
+};
+
+}  // namespace lentray::core
