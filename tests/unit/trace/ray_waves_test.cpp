@@ -17,7 +17,7 @@
 #include "shadow/auto_tester.h"
 #include "tests/unit/parser/scene_text.h"
 
-namespace lentray::core::test {
+namespace lentray::core::test::waves {
 namespace {
 
 struct WaveScene {
@@ -201,4 +201,4 @@ TEST(UnitRayWaves, LeaveOutWhatIsFollowedAlone) {
 }
 
 }  // namespace
-}  // namespace lentray::core::test
+}  // namespace lentray::core::test::waves
