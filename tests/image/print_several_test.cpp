@@ -325,18 +325,18 @@ TEST_F(ImagePrintSeveral, TestPagesOfTwoResolutions) {
       for (const char* kind : {"png", "tif", "pdf"}) {
         const std::string name = std::string("o.") + kind;
         std::vector<std::string> words = command;
-        words.insert(words.end(), {"--dpi", "720x360", "--size", "90x75mm", "--out", name});
+        words.insert(words.end(), {"--dpi", "720x360", "--size", "150x100mm", "--out", name});
         if (lying) words.push_back("--horizontal");
         const std::string report = print(words);
         EXPECT_NE(report.find("720 dpi across the lenses, 360 along them"), std::string::npos);
         if (name == "o.pdf") {
           const auto info = tool::run_program({"pdfinfo", (m_folder / name).string()});
-          EXPECT_NE(info.output.find("255.118 x 212.598 pts"), std::string::npos) << info.output;
+          EXPECT_NE(info.output.find("425.197 x 283.465 pts"), std::string::npos) << info.output;
           continue;
         }
         const StoredImage image = read(name);
-        EXPECT_NEAR(image.width, 90.0 / 25.4 * (lying ? 360.0 : 720.0), 0.51);
-        EXPECT_NEAR(image.height, 75.0 / 25.4 * (lying ? 720.0 : 360.0), 0.51);
+        EXPECT_NEAR(image.width, 150.0 / 25.4 * (lying ? 360.0 : 720.0), 0.51);
+        EXPECT_NEAR(image.height, 100.0 / 25.4 * (lying ? 720.0 : 360.0), 0.51);
         EXPECT_NEAR(std::stod(image.attributes.at("XResolution")), lying ? 360.0 : 720.0, 0.02);
         EXPECT_NEAR(std::stod(image.attributes.at("YResolution")), lying ? 720.0 : 360.0, 0.02);
       }
