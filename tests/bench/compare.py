@@ -30,10 +30,11 @@ def cpu_seconds(command, folder):
         after.children_system - before.children_system)
 
 
-def wrappers(scene, width, height, binaries, folder):
-    """Stock's wrapper scenes, as lentray-diff writes them, for the views and the mesh_camera."""
+def wrappers(scene, width, height, binaries, folder, lens="Declare=Lenticular_Camera=1"):
+    """Stock's wrapper scenes, as lentray-diff writes them, for the views and the mesh_camera. `lens`: the option that
+    makes an integral image of the scene."""
     result = subprocess.run(
-        [binaries / "lentray-diff", scene, "Declare=Lenticular_Camera=1", f"+W{width}",
+        [binaries / "lentray-diff", scene, lens, f"+W{width}",
          f"+H{height}", "--write-wrappers", folder], capture_output=True, text=True, check=False)
     if result.returncode != 0:
         sys.exit(result.stdout + result.stderr)
@@ -41,9 +42,9 @@ def wrappers(scene, width, height, binaries, folder):
     return views, folder / "mesh.pov"
 
 
-def stock(scene, width, height, library, threads):
+def stock(scene, width, height, library, threads, antialiasing=("-A", "-J")):
     return ["povray", f"+I{scene}", "+Ostock.png", f"+W{width}", f"+H{height}", f"+L{library}",
-            "-D", "-A", "-J", "-V", "-P", f"+WT{threads}", "+FN8"]
+            *antialiasing, "-D", "-V", "-P", f"+WT{threads}", "+FN8"]
 
 
 def measure(name, args, binaries):

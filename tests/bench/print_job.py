@@ -17,58 +17,48 @@ import json
 import pathlib
 import shutil
 import statistics
-import subprocess
 import sys
 import tempfile
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(ROOT / "tests" / "compat"))
 from antialiasing import EXAMPLES, SCENES
-from compare import cpu_seconds
+from compare import cpu_seconds, stock, wrappers
+import two_builds
 
 INSTEAD = {"camera/fisheye": "objects/csg/granite", "camera/cylinder3": "lights/arealit2"}
 LENS = 15
 
 
-def sheet(program, scene, size, ways, folder):
-    return cpu_seconds([program, f"+I{scene}", f"+O{folder / 'sheet.png'}", "Lenticular=On", *size, *ways,
-                        "-D", "-V", "-P", "+WT1"], scene.parent)
+def sheet(program, scene, args, folder):
+    return cpu_seconds([program, f"+I{scene}", f"+O{folder / 'sheet.png'}", "Lenticular=On", f"+W{args.width}",
+                        f"+H{args.height}", *args.antialiasing, "-D", "-V", "-P", "+WT1"], scene.parent)
 
 
-def write_views(binaries, scene, size, folder):
-    done = subprocess.run([binaries / "lentray-diff", scene, "Lenticular=On", *size, "--write-wrappers", folder],
-                          capture_output=True, text=True, check=False, cwd=scene.parent)
-    views = sorted(folder.glob("view*.pov"), key=lambda path: int(path.stem[4:]))
-    if done.returncode != 0 or len(views) != LENS:
-        sys.exit(f"{scene}: no {LENS} views\n{done.stdout}{done.stderr}")
-    return views
-
-
-def stock(views, scene, width, height, ways, folder):
+def all_views(views, scene, args, folder):
     """The last lens may be cut: the views beyond it have one pixel less a row."""
-    return sum(cpu_seconds(["povray", f"+I{view}", f"+O{folder / 'view.png'}", f"+W{len(range(j, width, LENS))}",
-                            f"+H{height}", f"+L{view.parent}", f"+L{scene.parent}", *ways, "-D", "-V", "-P", "-GA",
-                            "+WT1"], scene.parent)
+    return sum(cpu_seconds([*stock(view, len(range(j, args.width, LENS)), args.height, view.parent, 1,
+                                   args.antialiasing), f"+L{scene.parent}"], folder)
                for j, view in enumerate(views))
 
 
 def measure(name, args, tree):
     scene = tree / (name + ".pov")
-    size = [f"+W{args.width}", f"+H{args.height}"]
-    ways = ["-A"] if args.plain else ["+A0.3", "-J"]
     with tempfile.TemporaryDirectory() as temporary:
-        folder = pathlib.Path(temporary)
-        if args.before:
-            other = lambda: sheet(args.before / "bin" / "lentray", scene, size, ways, folder)
-        else:
-            wrapped = folder / "wrappers"
+        folder = pathlib.Path(temporary) / "pictures"
+        folder.mkdir()
+        views = []
+        if not args.before:
+            wrapped = pathlib.Path(temporary) / "wrappers"
             wrapped.mkdir()
-            views = write_views(args.bin, scene, size, wrapped)
-            other = lambda: stock(views, scene, args.width, args.height, ways, folder)
+            views, _ = wrappers(scene, args.width, args.height, args.bin, wrapped, "Lenticular=On")
+            if len(views) != LENS:
+                sys.exit(f"{scene}: {len(views)} views instead of {LENS}")
         ours, theirs = [], []
         for _ in range(args.runs):
-            ours.append(sheet(args.bin / "lentray", scene, size, ways, folder))
-            theirs.append(other())
+            ours.append(sheet(args.bin / "lentray", scene, args, folder))
+            theirs.append(sheet(args.before, scene, args, folder) if args.before else
+                          all_views(views, scene, args, folder))
     return statistics.median(ours), statistics.median(theirs)
 
 
@@ -80,14 +70,14 @@ def main():
     parser.add_argument("--width", type=int, default=1200)
     parser.add_argument("--height", type=int, default=900)
     parser.add_argument("--bin", type=pathlib.Path, default=ROOT / "build" / "release" / "bin", metavar="FOLDER")
-    parser.add_argument("--before", type=pathlib.Path, metavar="FOLDER", help="with bin/lentray, instead of stock")
+    parser.add_argument("--before", metavar="FOLDER", help="with bin/lentray, instead of stock")
     parser.add_argument("--median", type=float, default=0.0, metavar="RATIO")
     parser.add_argument("--least", type=float, default=0.0, metavar="RATIO")
     parser.add_argument("--json", type=pathlib.Path, metavar="FILE")
     args = parser.parse_args()
     args.bin = args.bin.resolve()
-    if args.before:
-        args.before = args.before.resolve()
+    args.before = args.before and two_builds.program(parser, args.before)
+    args.antialiasing = ["-A", "-J"] if args.plain else ["+A0.3", "-J"]
     scenes = [INSTEAD.get(name, name) for name in SCENES]
     scenes = [name for name in scenes if not args.words or any(word in name for word in args.words)]
     if not scenes:

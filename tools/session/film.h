@@ -30,7 +30,7 @@ struct FilmSettings {
   std::uint64_t most_radiosity_samples = 0;  ///< 0: as the memory allows
   std::uint32_t band_height = 0;             ///< rows; 0: as the memory allows
   double max_memory = 0.0;   ///< bytes, of the scene and the bands; 0: half of the machine's
-  bool bundles = true;       ///< neighbouring rays are searched for and lit together
+  bool bundles = true;       ///< neighbouring camera rays are searched for together
   bool count_tests = false;  ///< of bounds and shapes
   bool log_shadows = false;  ///< runs, blockers and costs of shadow rays
 };
