@@ -20,7 +20,7 @@ namespace {
 
 constexpr std::uint32_t kWidth = 150, kHeight = 70;
 
-const char* const kScenes[] = {
+const char* const kBundleScenes[] = {
     "#for (I, 0, 5) #for (J, 0, 5) sphere { <I - 2.5, J - 2.5, mod(I + J, 3)>, 0.45 pigment { rgb "
     "<I / 5, J / 5, 0.5> } finish { reflection 0.3 } } triangle { <I - 3, J - 3, 3>, <I - 2, J - "
     "3, "
@@ -38,7 +38,7 @@ const char* const kScenes[] = {
     "<-2.5, "
     "-1.6, -1>, <-3, -1, -1>, <-3, -2, -1> pigment { rgb <0.9, 0.8, 0.1> } }"};
 
-constexpr const char* kStage =
+constexpr const char* kBundleStage =
     "background { rgb <0.2, 0.3, 0.5> } light_source { <-4, 6, -5>, rgb 0.8 } ";
 
 /// Keeps what it gets.
@@ -96,8 +96,8 @@ std::vector<std::unique_ptr<camera::Camera>> cameras() {
 }
 
 TEST(UnitBundlePicture, HasTheBitsOfRaysThatAreSearchedAlone) {
-  for (const char* text : kScenes) {
-    parser::test::SceneText made(std::string(kStage) + text);
+  for (const char* text : kBundleScenes) {
+    parser::test::SceneText made(std::string(kBundleStage) + text);
     const Scene scene(made.build(), {});
     for (const auto& camera : cameras()) {
       const auto* lens = dynamic_cast<const camera::Lenticular*>(camera.get());

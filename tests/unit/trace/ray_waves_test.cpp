@@ -25,7 +25,7 @@ struct WaveScene {
   const char* text;
 };
 
-const WaveScene kScenes[] = {
+const WaveScene kWaveScenes[] = {
     {"mirrors",
      "#for (I, 0, 4) #for (J, 0, 4) sphere { <I - 2, J - 1, mod(I + J, 3)>, 0.45 pigment { rgb <I "
      "/ "
@@ -81,19 +81,20 @@ const WaveScene kScenes[] = {
      "0.8 pigment { rgbt <0.3, 0.4, 0.5, 1> } }"},
 };
 
-constexpr const char* kStage =
+constexpr const char* kWaveStage =
     "background { rgb <0.2, 0.3, 0.5> } light_source { <-4, 6, -5>, rgb 0.8 } light_source { <5, "
     "3, "
     "-6>, rgb <0.5, 0.4, 0.3> } polygon { 5, <-9, 0, -9>, <9, 0, -9>, <9, 0, 9>, <-9, 0, 9>, <-9, "
     "0, "
     "-9> pigment { rgb <0.4, 0.3, 0.2> } finish { reflection 0.1 } } ";
-constexpr std::uint32_t kWide = 48, kHigh = 36;
+constexpr std::uint32_t kWaveWide = 48, kWaveHigh = 36;
 
-struct CameraRays {
-  CameraRays() {
-    for (std::uint32_t row = 0; row < kHigh; ++row) {
-      for (std::uint32_t column = 0; column < kWide; ++column) {
-        const Vec3 along{(column + 0.5) / kWide - 0.5, 0.3 - 0.8 * (row + 0.5) / kHigh, 1.0};
+struct WaveRays {
+  WaveRays() {
+    for (std::uint32_t row = 0; row < kWaveHigh; ++row) {
+      for (std::uint32_t column = 0; column < kWaveWide; ++column) {
+        const Vec3 along{(column + 0.5) / kWaveWide - 0.5, 0.3 - 0.8 * (row + 0.5) / kWaveHigh,
+                         1.0};
         rays.push_back({{0.1, 1.3, -4}, normalized(along)});
         pixels.push_back({column, row});
       }
@@ -110,7 +111,7 @@ struct Seen {
 
 template <class Tester>
 Seen one_by_one(const Scene& scene) {
-  const CameraRays all;
+  const WaveRays all;
   ThreadContext context(scene, false);
   Tester shadows(context);
   Integrator integrator(context, shadows);
@@ -125,7 +126,7 @@ Seen one_by_one(const Scene& scene) {
 /// Blocks of different sizes; of every third nobody knows what the rays meet.
 template <class Tester>
 Seen in_waves(const Scene& scene) {
-  const CameraRays all;
+  const WaveRays all;
   ThreadContext context(scene, false);
   Tester shadows(context);
   Integrator integrator(context, shadows);
@@ -148,7 +149,7 @@ Seen in_waves(const Scene& scene) {
   return seen;
 }
 
-std::size_t differences(const std::vector<Radiance>& a, const std::vector<Radiance>& b) {
+std::size_t unequal(const std::vector<Radiance>& a, const std::vector<Radiance>& b) {
   std::size_t count = 0;
   for (std::size_t i = 0; i < a.size(); ++i) {
     if (!(a[i].rgb == b[i].rgb && a[i].transmit == b[i].transmit)) ++count;
@@ -170,18 +171,18 @@ void expect_same_counts(const Counters& a, const Counters& b) {
 
 TEST(UnitRayWaves, HaveTheBitsOfRaysThatAreFollowedAlone) {
   if (!has_avx2()) GTEST_SKIP();
-  for (const WaveScene& each : kScenes) {
+  for (const WaveScene& each : kWaveScenes) {
     SCOPED_TRACE(each.name);
-    parser::test::SceneText text(std::string(kStage) + each.text);
+    parser::test::SceneText text(std::string(kWaveStage) + each.text);
     Scene scene(text.build(), {});
     scene.build_light_buffers(1'000'000);
     const Seen alone = one_by_one<PlainShadowTester>(scene);
     const Seen waves = in_waves<PlainShadowTester>(scene);
-    EXPECT_EQ(differences(alone.light, waves.light), 0u);
+    EXPECT_EQ(unequal(alone.light, waves.light), 0u);
     expect_same_counts(alone.counters, waves.counters);
     const Seen by_auto = one_by_one<shadow::AutoTester>(scene);
     const Seen auto_waves = in_waves<shadow::AutoTester>(scene);
-    EXPECT_EQ(differences(by_auto.light, auto_waves.light), 0u);
+    EXPECT_EQ(unequal(by_auto.light, auto_waves.light), 0u);
     expect_same_counts(by_auto.counters, auto_waves.counters);
   }
 }
@@ -191,7 +192,7 @@ TEST(UnitRayWaves, LeaveOutWhatIsFollowedAlone) {
                            "global_settings { subsurface { } mm_per_unit 10 } sphere { y, 1 "
                            "pigment { rgb 1 } finish { "
                            "subsurface { translucency 10 } } interior { ior 1.3 } }"}) {
-    parser::test::SceneText text(std::string(kStage) + more);
+    parser::test::SceneText text(std::string(kWaveStage) + more);
     const Scene scene(text.build(), {});  // without light buffers
     ThreadContext context(scene, false);
     PlainShadowTester shadows(context);
