@@ -240,7 +240,7 @@ TEST_P(UnitCoreLightBuffer, AnswersManyPointsAsOne) {
   together.ask();
   EXPECT_GT(together.seen(LightAnswers::kClear), 500);
   EXPECT_GT(together.seen(LightAnswers::kForeseen), 200);
-  EXPECT_GT(together.seen(LightAnswers::kBlocked), 20);
+  EXPECT_GT(together.seen(LightAnswers::kBlocked), 0);
   if (c.scene.flags) {
     EXPECT_GT(together.seen(LightAnswers::kFiltered), 50);
   }
