@@ -143,27 +143,31 @@ class LightLanes {
     LightProbe::limits(simd::narrowed(w), m_tolerance,
                        simd::signs(w < simd::double4(m_buffer.m_reach)), m_least, m_share);
     for (unsigned left = m_asking; left != 0; left &= left - 1) {
-      search_cell(__builtin_ctz(left), lists);
+      const int i = __builtin_ctz(left);
+      const LightBuffer::Cell* const cell = m_cell[i];
+      if (cell && cell->crowded) continue;
+      m_unknown &= ~(1u << i);
+      if (!cell && !m_has_others) {
+        set(i, LightAnswers::kClear);
+      } else if (!cell) {
+        search_others(i, lists);
+      } else if (cell->covered && m_buffer.m_entries[cell->first].near_w < m_w[i]) {
+        set(i, LightAnswers::kForeseen);
+      } else {
+        search_cell(*cell, i, lists);
+      }
     }
   }
   LENTRAY_SIMD32 LightProbe probe(int i) const {
     return LightProbe(m_probe_x + i, m_probe_y + i, m_probe_z + i, m_least + i, m_share[i]);
   }
-  LENTRAY_SIMD32 void search_cell(int i, HitLists& lists) {
-    const LightBuffer::Cell* cell = m_cell[i];
-    if (!cell) {
-      m_unknown &= ~(1u << i);
-      return search_others(i, lists);
-    }
-    if (cell->crowded) return;
-    m_unknown &= ~(1u << i);
+  /// Not inlined, for the sake of its registers.
+  [[gnu::noinline]] LENTRAY_AVX2 void search_cell(const LightBuffer::Cell& cell, int i,
+                                                  HitLists& lists) {
     const double w = m_w[i];
-    const LightBuffer::Entry* entry = m_buffer.m_entries.data() + cell->first;
-    if (cell->covered) {
-      if (w > entry->near_w) return set(i, LightAnswers::kForeseen);
-      ++entry;
-    }
-    const LightBuffer::Entry* end = entry + cell->opaque;
+    const LightBuffer::Entry* entry =
+        m_buffer.m_entries.data() + cell.first + (cell.covered ? 1 : 0);
+    const LightBuffer::Entry* end = entry + cell.opaque;
     const LightProbe point = probe(i);
     bool foreseen = true;
     for (; entry < end && entry->near_w < w; ++entry) {
@@ -175,8 +179,8 @@ class LightLanes {
       if (answer == LightBuffer::Probe::kMisses) foreseen = false;
     }
     if (m_has_others) return search_others(i, lists);
-    entry = m_buffer.first_transparent(*cell);
-    end = entry + cell->transparent;
+    entry = end;
+    end = entry + cell.transparent;
     for (; entry < end && entry->near_w < w; ++entry) {
       if (point.is_outside(m_buffer.m_volumes[entry->caster])) continue;
       if (m_buffer.m_casters[entry->caster].object != unmet(i)) return set_filtered(i);
@@ -187,7 +191,7 @@ class LightLanes {
     return m_rising >> i & 1 ? m_points.unmet(m_first + i) : nullptr;
   }
   LightBuffer::Spot spot(int i) const { return {m_cell[i], m_w[i], true, unmet(i)}; }
-  Ray ray(int i) const { return {point_of(i), m_answers.ray(place(i)).direction}; }
+  Ray ray(int i) const { return {point_of(i), m_answers.direction_at(place(i))}; }
   double reach(int i) const { return m_answers.distance[place(i)] - m_tolerance; }
   [[gnu::noinline]] void set_filtered(int i) {
     set(i, LightAnswers::kFiltered);

@@ -8,7 +8,6 @@
 
 #include "core/accel/light_buffer.h"
 #include "core/base/vec3.h"
-#include "core/light/light_ray.h"
 
 namespace lentray::core {
 
@@ -77,8 +76,8 @@ struct LightAnswers {
   static constexpr bool is_dark(Answer answer) { return answer >= kForeseen; }
 
   Answer at(std::size_t i) const { return static_cast<Answer>(answer[i]); }
-  LightRay ray(std::size_t i) const {
-    return {{direction[0][i], direction[1][i], direction[2][i]}, distance[i]};
+  Vec3 direction_at(std::size_t i) const {
+    return {direction[0][i], direction[1][i], direction[2][i]};
   }
   alignas(32) double direction[3][LightPoints::kMost], distance[LightPoints::kMost];
   alignas(16) int answer[LightPoints::kMost];              ///< an Answer each

@@ -2,9 +2,7 @@
 
 #include "core/base/processor.h"
 #include "core/light/light_ray.h"
-#include "core/object/leaf.h"
 #include "core/scene/tolerances.h"
-#include "core/trace/unmet_object.h"
 
 namespace lentray::core {
 namespace {
@@ -30,15 +28,6 @@ BlockLights::BlockLights(ThreadContext& context, ShadowTester& shadows)
       m_knows_all = false;
     }
   }
-}
-
-void BlockLights::add(const Hit& hit, const Vec3& point, const Vec3& normal, bool from_behind) {
-  if (hit.leaf->attributes().lights) {  // of a light group
-    m_points.add_none();
-    return;
-  }
-  const UnmetObject unmet = unmet_object(hit, from_behind, point, m_tolerance);
-  m_points.add(point, normal, unmet.object, unmet.slope);
 }
 
 void BlockLights::find() {

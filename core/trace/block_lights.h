@@ -13,6 +13,7 @@
 #include "core/object/hit.h"
 #include "core/trace/shadow_tester.h"
 #include "core/trace/thread_context.h"
+#include "core/trace/unmet_object.h"
 
 namespace lentray::core {
 
@@ -27,7 +28,11 @@ class BlockLights {
 
   void clear() { m_points.clear(); }
   /// The next place; `normal` towards the ray that looks. At most kMost.
-  void add(const Hit& hit, const Vec3& point, const Vec3& normal, bool from_behind);
+  void add(const Hit& hit, const Vec3& point, const Vec3& normal, bool from_behind) {
+    if (hit.leaf->attributes().lights) return add_none();  // of a light group
+    const UnmetObject unmet = unmet_object(hit, from_behind, point, m_tolerance);
+    m_points.add(point, normal, unmet.object, unmet.slope);
+  }
   /// A place that is no surface.
   void add_none() { m_points.add_none(); }
   /// Once all places are there: asks for all lights.

@@ -148,25 +148,6 @@ PlainLights::PlainLights(ThreadContext& context, ShadowTester& shadows, const Bl
   }
 }
 
-void PlainLights::clear() {
-  m_count = 0;
-  m_lit = m_shining = 0;
-}
-
-void PlainLights::add(const PlainTexture* texture, const Vec3& eye) {
-  const std::size_t at = m_count++;
-  if (!texture) return;
-  m_lit |= std::uint64_t{1} << at;
-  m_shining |= std::uint64_t{texture->shines} << at;
-  m_texture[at] = texture;
-  m_diffuse[at] = texture->diffuse;
-  for (int c = 0; c < 3; ++c) {
-    m_eye[c][at] = eye[c];
-    m_pigment[c][at] = texture->pigment[c];
-    m_sum[c][at] = 0.0f;
-  }
-}
-
 void PlainLights::drop_unknown() {
   for (const std::uint32_t i : m_context.scene.global_lights()) m_lit &= ~m_lights.of(i)->unknown;
 }

@@ -22,9 +22,25 @@ class PlainLights {
   /// False: there are lights of other kinds; nothing else may be asked.
   bool works() const { return m_works; }
 
-  void clear();
+  void clear() {
+    m_count = 0;
+    m_lit = m_shining = 0;
+  }
   /// The next place; `eye`: the direction of the ray that looks. Null: it is not lit here.
-  void add(const PlainTexture* texture, const Vec3& eye);
+  void add(const PlainTexture* texture, const Vec3& eye) {
+    const std::size_t at = m_count++;
+    if (!texture) return;
+    m_lit |= std::uint64_t{1} << at;
+    m_shining |= std::uint64_t{texture->shines} << at;
+    m_texture[at] = texture;
+    m_diffuse[at] = texture->diffuse;
+    for (int c = 0; c < 3; ++c) {
+      m_eye[c][at] = eye[c];
+      m_pigment[c][at] = texture->pigment[c];
+      m_sum[c][at] = 0.0f;
+    }
+  }
+  void add_none() { ++m_count; }
   /// Once the block's lights are found. `filters(light, place)`: what filters leave of the light there.
   template <class Filters>
   void light(const Filters& filters) {

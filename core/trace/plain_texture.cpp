@@ -6,7 +6,6 @@
 
 #include "core/shape/mesh.h"
 #include "core/trace/layer_opacity.h"
-#include "core/trace/reflectance.h"
 
 namespace lentray::core {
 namespace {
@@ -19,10 +18,10 @@ bool is_plain(const Finish& finish) {
          !finish.conserve_energy;
 }
 
-/// Whether faces of it may have textures of their own.
-bool may_have_many(const Leaf& leaf) {
-  const Shape& shape = leaf.shape();
-  return typeid(shape) == typeid(Mesh) && static_cast<const Mesh&>(shape).has_textures();
+/// Whether reflectivity() is the same for all angles.
+bool reflects_evenly(const Finish& finish) {
+  return !finish.reflection_fresnel && finish.reflection_min == finish.reflection_max &&
+         finish.reflection_metallic == 0.0;
 }
 
 }  // namespace
@@ -30,15 +29,16 @@ bool may_have_many(const Leaf& leaf) {
 PlainTextures::PlainTextures(const Scene& scene)
     : m_settings(scene.settings()), m_paths(scene.needs()) {}
 
-const PlainTexture* PlainTextures::find(const Leaf& leaf, bool from_behind) {
-  const Attributes& attributes = leaf.attributes();
-  if (attributes.double_illuminate || attributes.lights) return nullptr;
-  if (m_paths.layers && ((from_behind && attributes.interior_texture) || may_have_many(leaf)))
-    return nullptr;
-  if (attributes.texture == m_last) return m_last_plain;
-  const auto [at, is_new] = m_known.try_emplace(attributes.texture);
-  if (is_new) at->second = made(*attributes.texture);
-  m_last = attributes.texture;
+bool PlainTextures::has_others(const Leaf& leaf, bool from_behind) {
+  if (from_behind && leaf.attributes().interior_texture) return true;
+  const Shape& shape = leaf.shape();
+  return typeid(shape) == typeid(Mesh) && static_cast<const Mesh&>(shape).has_textures();
+}
+
+const PlainTexture* PlainTextures::another(const Texture* texture) {
+  const auto [at, is_new] = m_known.try_emplace(texture);
+  if (is_new) at->second = made(*texture);
+  m_last = texture;
   m_last_plain = at->second.get();
   return m_last_plain;
 }
@@ -61,6 +61,10 @@ std::unique_ptr<const PlainTexture> PlainTextures::made(const Texture& texture) 
   plain->diffuse = finish.diffuse * opacity;
   plain->shines = has_highlights(finish);
   plain->reflects = m_paths.reflection && reflects(finish);
+  if (plain->reflects && reflects_evenly(finish)) {
+    constexpr double kAnyCosine = 0.5, kAnyIor = 1.0;
+    plain->mirror = reflectivity(finish, kAnyCosine, kAnyIor, colour->rgb);
+  }
   if (may_be_clear) {
     plain->filter = Rgb(1.0f);
     plain->filter *= passed(*colour);

@@ -4,12 +4,14 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <unordered_map>
 
 #include "core/material/texture.h"
 #include "core/object/leaf.h"
 #include "core/scene/scene.h"
 #include "core/trace/path_features.h"
+#include "core/trace/reflectance.h"
 
 namespace lentray::core {
 
@@ -23,6 +25,8 @@ struct PlainTexture {
   double transparency;  ///< 0..1: the filter's grey
   bool shines;          ///< highlights
   bool reflects;
+  /// Of its mirror, where that is the same from all sides.
+  std::optional<Reflectivity> mirror;
   /// Whether rays go on from it, as far as it is up to the texture.
   bool goes_on() const { return reflects || transparency > 0.0; }
 };
@@ -31,9 +35,17 @@ class PlainTextures {
  public:
   explicit PlainTextures(const Scene& scene);
   /// Of a surface seen from that side; null: it has no such texture.
-  const PlainTexture* find(const Leaf& leaf, bool from_behind);
+  const PlainTexture* find(const Leaf& leaf, bool from_behind) {
+    const Attributes& attributes = leaf.attributes();
+    if (attributes.double_illuminate || attributes.lights) return nullptr;
+    if (m_paths.layers && has_others(leaf, from_behind)) return nullptr;
+    return attributes.texture == m_last ? m_last_plain : another(attributes.texture);
+  }
 
  private:
+  /// Whether the surface may have textures besides its own.
+  static bool has_others(const Leaf& leaf, bool from_behind);
+  const PlainTexture* another(const Texture* texture);
   std::unique_ptr<const PlainTexture> made(const Texture& texture) const;
 
   const SceneSettings& m_settings;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <memory>
 
 #include "core/trace/illumination.h"
 
@@ -15,22 +16,20 @@ RayWaves::RayWaves(ThreadContext& context, Integrator& integrator, ShadowTester&
   // Photons light surfaces one by one.
   const double bailout = context.scene.settings().adc_bailout;
   m_has_plain = m_plain.works() && !surface_photons(context) && bailout >= 0.0 && bailout < 1.0;
-  m_nodes.reserve(kMostNodes);
+  if (m_works) m_nodes = std::make_unique<Node[]>(kMostNodes);
 }
 
 void RayWaves::trace(std::span<const Ray> rays, std::span<const Pixel> pixels,
                      const FirstHits& hits, std::span<Radiance> seen) {
   m_context.interiors.forget_if_large();
   m_pixels = pixels;
-  m_nodes.clear();
-  m_camera.clear();
+  m_count = 0;
   for (std::size_t i = 0; i < rays.size(); ++i) {
-    m_camera.push_back(
-        m_stepper.begin(rays[i], pixels[i], std::bit_cast<std::uint64_t>(pixels[i])));
+    m_camera[i] = m_stepper.begin(rays[i], pixels[i], std::bit_cast<std::uint64_t>(pixels[i]));
+    add(m_camera[i], i, 0);
   }
-  for (std::size_t i = 0; i < rays.size(); ++i) add(m_camera[i], static_cast<std::uint32_t>(i), 0);
-  for (std::size_t first = 0; first < m_nodes.size();) {
-    const std::size_t end = std::min(first + kMost, first == 0 ? rays.size() : m_nodes.size());
+  for (std::size_t first = 0; first < m_count;) {
+    const std::size_t end = std::min(first + kMost, first == 0 ? rays.size() : m_count);
     meet(first, end, first == 0 ? &hits : nullptr);
     light(first, end);
     shade(first, end);
@@ -38,12 +37,6 @@ void RayWaves::trace(std::span<const Ray> rays, std::span<const Pixel> pixels,
   }
   resolve();
   for (std::size_t i = 0; i < rays.size(); ++i) seen[i] = m_nodes[i].seen;
-}
-
-void RayWaves::add(const RayState& state, std::uint32_t root, std::uint32_t depth) {
-  const std::size_t i = m_nodes.size();
-  if (i == m_records.size()) m_records.push_back(std::make_unique<RayRecord>());
-  m_nodes.push_back({&state, m_records[i].get(), root, 0, depth, m_stepper.is_cut(state), {}});
 }
 
 void RayWaves::meet(std::size_t first, std::size_t end, const FirstHits* known) {
@@ -62,31 +55,27 @@ void RayWaves::meet(std::size_t first, std::size_t end, const FirstHits* known) 
   }
 }
 
-void RayWaves::light(std::size_t first, std::size_t end) {
-  m_lights.clear();
-  for (std::size_t i = first; i < end; ++i) {
-    const std::size_t at = i - first;
-    const Hit* hit = m_hits[at];
-    if (!hit) {
-      m_lights.add_none();
-      continue;
-    }
-    MetPlace& place = m_places[at];
-    place = MetPlace(m_nodes[i].state->ray, *hit);
-    m_lights.add(*hit, place.point, place.normal, place.from_behind);
-  }
-  m_lights.find();
-  if (m_has_plain) light_plain(first, end);
+[[gnu::always_inline]] inline void RayWaves::place(std::size_t at, const RayState& state,
+                                                   const Hit& hit) {
+  const MetPlace& place = *std::construct_at(&m_places[at], state.ray, hit);
+  m_lights.add(hit, place.point, place.normal, place.from_behind);
+  if (!m_has_plain) return;
+  m_plain.add(m_textures.find(*hit.leaf, place.from_behind), state.ray.direction);
 }
 
-void RayWaves::light_plain(std::size_t first, std::size_t end) {
+void RayWaves::light(std::size_t first, std::size_t end) {
+  m_lights.clear();
   m_plain.clear();
-  for (std::size_t i = first; i < end; ++i) {
-    const std::size_t at = i - first;
-    const Hit* hit = m_hits[at];
-    m_plain.add(hit ? m_textures.find(*hit->leaf, m_places[at].from_behind) : nullptr,
-                m_nodes[i].state->ray.direction);
+  for (std::size_t at = 0; at < end - first; ++at) {
+    if (const Hit* hit = m_hits[at]) {
+      place(at, *m_nodes[first + at].state, *hit);
+    } else {
+      m_lights.add_none();
+      m_plain.add_none();
+    }
   }
+  m_lights.find();
+  if (!m_has_plain) return;
   m_plain.light([&](std::uint32_t light, std::size_t at) {
     return m_stepper.filters(*m_nodes[first + at].state, m_places[at], light, m_lights, at);
   });
@@ -100,38 +89,39 @@ void RayWaves::shade(std::size_t first, std::size_t end) {
     if (const Hit* hit = m_hits[at]) {
       const PlainTexture* plain = m_has_plain ? m_plain.texture(at) : nullptr;
       if (plain) {
-        m_stepper.see_plain(*node.state, *hit, m_places[at], *plain, m_plain.sum(at), *node.record);
+        m_stepper.see_plain(*node.state, *hit, m_places[at], *plain, m_plain.sum(at), node.record);
       } else {
         m_context.pixel = m_pixels[node.root];
-        m_stepper.see_surface(*node.state, *hit, m_places[at], &m_lights, at, *node.record);
+        m_stepper.see_surface(*node.state, *hit, m_places[at], &m_lights, at, node.record);
       }
-      if (!node.record->onward.empty()) add_onward(node);
+      if (!node.record.onward.empty()) add_onward(node);
     } else {
-      m_stepper.see_nothing(*node.state, *node.record);
+      m_stepper.see_nothing(*node.state, node.record);
     }
   }
 }
 
 void RayWaves::add_onward(Node& node) {
-  const std::vector<OnwardRay>& onward = node.record->onward;
-  if (m_nodes.size() + onward.size() > kMostNodes) {
+  const std::vector<OnwardRay>& onward = node.record.onward;
+  if (m_count + onward.size() > kMostNodes) {
     node.first = kFollowed;
     return;
   }
-  node.first = static_cast<std::uint32_t>(m_nodes.size());
+  node.first = static_cast<std::uint32_t>(m_count);
   for (const OnwardRay& ray : onward) add(ray.state, node.root, node.depth + 1);
 }
 
 void RayWaves::resolve() {
-  for (auto node = m_nodes.rbegin(); node != m_nodes.rend(); ++node) {
+  for (std::size_t i = m_count; i-- > 0;) {
+    Node* const node = &m_nodes[i];
     if (node->is_cut) continue;
     std::uint32_t next = node->first;
     if (next == kFollowed) m_context.pixel = m_pixels[node->root];
-    node->seen = node->record->gather([&](const OnwardRay& ray) {
+    node->seen = node->record.gather([&](const OnwardRay& ray) {
       if (next == kFollowed) return m_integrator.follow_from(ray.state, node->depth + 1);
       return m_nodes[next++].seen;
     });
-    m_stepper.arrive(*node->state, *node->record, node->seen);
+    m_stepper.arrive(*node->state, node->record, node->seen);
   }
 }
 

@@ -10,7 +10,6 @@
 #include <cstdint>
 #include <memory>
 #include <span>
-#include <vector>
 
 #include "core/base/pixel.h"
 #include "core/trace/block_lights.h"
@@ -38,7 +37,7 @@ class RayWaves {
   /// A ray on the way.
   struct Node {
     const RayState* state;
-    RayRecord* record;
+    RayRecord record;
     std::uint32_t root;   ///< the camera ray's
     std::uint32_t first;  ///< node of the first that goes on from it, or kFollowed
     std::uint32_t depth;  ///< rays before it on the way
@@ -46,13 +45,21 @@ class RayWaves {
     Radiance seen;
   };
   static constexpr std::uint32_t kFollowed = ~0u;  ///< the integrator follows them
-  static constexpr std::size_t kMostNodes = 8 * kMost;
+  static constexpr std::size_t kMostNodes = 32 * kMost;
 
-  void add(const RayState& state, std::uint32_t root, std::uint32_t depth);
+  void add(const RayState& state, std::size_t root, std::uint32_t depth) {
+    Node& node = m_nodes[m_count++];
+    node.state = &state;
+    node.root = static_cast<std::uint32_t>(root);
+    node.first = 0;
+    node.depth = depth;
+    node.is_cut = m_stepper.is_cut(state);
+    node.seen = {};
+  }
   /// Finds what the nodes [first, end) meet, at most kMost.
   void meet(std::size_t first, std::size_t end, const FirstHits* hits);
   void light(std::size_t first, std::size_t end);
-  void light_plain(std::size_t first, std::size_t end);
+  void place(std::size_t at, const RayState& state, const Hit& hit);
   void shade(std::size_t first, std::size_t end);
   void add_onward(Node& node);
   void resolve();
@@ -65,9 +72,9 @@ class RayWaves {
   PlainLights m_plain;
   bool m_works, m_has_plain;
   std::span<const Pixel> m_pixels;
-  std::vector<RayState> m_camera;
-  std::vector<Node> m_nodes;
-  std::vector<std::unique_ptr<RayRecord>> m_records;  ///< one a node
+  std::array<RayState, kMost> m_camera;
+  std::unique_ptr<Node[]> m_nodes;  ///< kMostNodes of them, used again
+  std::size_t m_count = 0;
   // Of the nodes that are shaded, in turn.
   std::array<Hit, kMost> m_own_hits;
   std::array<const Hit*, kMost> m_hits;  ///< null: nothing

@@ -91,22 +91,29 @@ void SurfaceShading::shade_layer(const TextureLayer& layer, Surface& at, LayerSu
   }
 }
 
-Mirror SurfaceShading::mirror_of(const Finish& finish, const Rgb& pigment, const Vec3& normal,
-                                 const Surface& at, const LayerSum& sum) const {
+[[gnu::always_inline]] inline Mirror SurfaceShading::mirror_with(const Reflectivity& share,
+                                                                 const Finish& finish,
+                                                                 const Vec3& normal,
+                                                                 const Surface& at,
+                                                                 const LayerSum& sum) const {
   Mirror mirror;
-  if (!reflects(finish)) return mirror;
-  const double cosine = -dot(at.ray().direction, normal);
-  const double ior = finish.reflection_fresnel
-                         ? relative_ior(at.interior(), m_context.interiors, at.state.inside,
-                                        m_settings.atmosphere_ior)
-                         : 1.0;
-  const Reflectivity share = reflectivity(finish, cosine, ior, pigment);
   mirror.normal = normal;
   mirror.colour = share.colour;
   mirror.weight = static_cast<float>(at.state.weight * sum.transparency) * share.weight;
   mirror.exponent = 1.0 / finish.reflection_exponent;
   mirror.finish = &finish;
   return mirror;
+}
+
+Mirror SurfaceShading::mirror_of(const Finish& finish, const Rgb& pigment, const Vec3& normal,
+                                 const Surface& at, const LayerSum& sum) const {
+  if (!reflects(finish)) return {};
+  const double cosine = -dot(at.ray().direction, normal);
+  const double ior = finish.reflection_fresnel
+                         ? relative_ior(at.interior(), m_context.interiors, at.state.inside,
+                                        m_settings.atmosphere_ior)
+                         : 1.0;
+  return mirror_with(reflectivity(finish, cosine, ior, pigment), finish, normal, at, sum);
 }
 
 [[gnu::noinline]] Rgb SurfaceShading::indirectly_lit(const Finish& finish, const Rgb& pigment,
@@ -253,7 +260,9 @@ void SurfaceShading::shade_plain(const PlainTexture& texture, const Rgb& lit, co
   sum.top_finish = texture.finish;
   if (m_paths.reflection) {
     if (buffers.mirrors.empty()) buffers.mirrors.resize(1);
-    buffers.mirrors[0] = mirror_of(*texture.finish, texture.pigment, at.normal, at, sum);
+    const Finish& finish = *texture.finish;
+    buffers.mirrors[0] = texture.mirror ? mirror_with(*texture.mirror, finish, at.normal, at, sum)
+                                        : mirror_of(finish, texture.pigment, at.normal, at, sum);
   }
   sum.filter = texture.filter;
   sum.transparency = texture.transparency;

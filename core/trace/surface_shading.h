@@ -105,6 +105,8 @@ class SurfaceShading {
   struct Facing;
   struct Receiver;
   void shade_layer(const TextureLayer& layer, Surface& at, LayerSum& sum, ShadingBuffers& buffers);
+  Mirror mirror_with(const Reflectivity& share, const Finish& finish, const Vec3& normal,
+                     const Surface& at, const LayerSum& sum) const;
   Mirror mirror_of(const Finish& finish, const Rgb& pigment, const Vec3& normal, const Surface& at,
                    const LayerSum& sum) const;
   /// The light of other surfaces.

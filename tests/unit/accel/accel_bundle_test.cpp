@@ -17,7 +17,7 @@ using namespace lentray::test;
 
 namespace {
 
-bool same_double(double a, double b) {
+bool equal_bits(double a, double b) {
   return std::bit_cast<std::uint64_t>(a) == std::bit_cast<std::uint64_t>(b);
 }
 
@@ -47,12 +47,12 @@ void compare(const Hierarchy& tree, const std::vector<Ray>& rays, double t_min, 
     if (!meets) continue;
     ++counts.met;
     const Hit& hit = hits.hit[i];
-    ASSERT_TRUE(same_double(hit.t, alone.t)) << hit.t << " " << alone.t;
+    ASSERT_TRUE(equal_bits(hit.t, alone.t)) << hit.t << " " << alone.t;
     ASSERT_EQ(hit.object, alone.object);
     ASSERT_EQ(hit.leaf, alone.leaf);
     ASSERT_EQ(hit.shape.element, alone.shape.element);
-    ASSERT_TRUE(same_double(hit.shape.t, alone.shape.t) &&
-                same_double(hit.shape.u, alone.shape.u) && same_double(hit.shape.v, alone.shape.v));
+    ASSERT_TRUE(equal_bits(hit.shape.t, alone.shape.t) && equal_bits(hit.shape.u, alone.shape.u) &&
+                equal_bits(hit.shape.v, alone.shape.v));
   }
 }
 

@@ -126,8 +126,8 @@ class Together {
     if (up > 0.0 && up * up > 1e-3 * 1e-3 * length_squared(to)) spot.unmet = given.unmet;
     if (!m_buffer.serves(spot, ray.distance) || !(reach > kTolerance))
       return LightAnswers::kUnknown;
-    EXPECT_EQ(m_answers.ray(i).direction, ray.direction);
-    EXPECT_EQ(m_answers.ray(i).distance, ray.distance);
+    EXPECT_EQ(m_answers.direction_at(i), ray.direction);
+    EXPECT_EQ(m_answers.distance[i], ray.distance);
     const Ray way{given.point, ray.direction};
     const LightBuffer::Answer found =
         m_buffer.any_opaque(spot, way, kTolerance, reach, m_lists, nullptr);

@@ -21,22 +21,20 @@ namespace {
 constexpr std::uint32_t kWidth = 150, kHeight = 70;
 
 const char* const kBundleScenes[] = {
-    "#for (I, 0, 5) #for (J, 0, 5) sphere { <I - 2.5, J - 2.5, mod(I + J, 3)>, 0.45 pigment { rgb "
-    "<I / 5, J / 5, 0.5> } finish { reflection 0.3 } } triangle { <I - 3, J - 3, 3>, <I - 2, J - "
-    "3, "
-    "3>, <I - 3, J - 2, 3.5> pigment { rgb 0.7 } } polygon { 5, <I - 3, J - 3, 4>, <I - 2.2, J - "
-    "3, "
-    "4>, <I - 2.2, J - 2.2, 4>, <I - 3, J - 2.2, 4>, <I - 3, J - 3, 4> pigment { rgb <1, 0.5, 0.2> "
-    "} } #end #end plane { y, -3 pigment { checker rgb 1 rgb 0.3 } }",
-    "difference { box { -1, 1 } sphere { <0, 0, -1>, 0.8 } pigment { rgb <0.9, 0.3, 0.2> } rotate "
-    "20*y } torus { 1.5, 0.3 rotate 70*x pigment { rgb <0.2, 0.4, 0.9> } } cylinder { <-3, -1, 1>, "
-    "<3, 2, 1>, 0.2 pigment { rgbt <0.3, 0.9, 0.4, 0.4> } interior { ior 1.3 } } merge { sphere { "
-    "<2, -1, 0>, 0.6 } sphere { <2.5, -1, 0>, 0.6 } pigment { rgb 0.8 } } sphere { <-2, 1, -1>, "
-    "0.7 "
-    "no_image pigment { rgb 0.5 } } plane { z, 6 pigment { checker rgb 0.8 rgb <0.3, 0.3, 0.6> } }"
-    " polygon { 8, <-3, -2, -1>, <-1, -2, -1>, <-1, -1, -1>, <-1.6, -1.4, -1>, <-2, -1, -1>, "
-    "<-2.5, "
-    "-1.6, -1>, <-3, -1, -1>, <-3, -2, -1> pigment { rgb <0.9, 0.8, 0.1> } }"};
+    R"(
+    #for (I, 0, 5) #for (J, 0, 5) sphere { <I - 2.5, J - 2.5, mod(I + J, 3)>, 0.45 pigment { rgb
+    <I / 5, J / 5, 0.5> } finish { reflection 0.3 } } triangle { <I - 3, J - 3, 3>, <I - 2, J - 3,
+    3>, <I - 3, J - 2, 3.5> pigment { rgb 0.7 } } polygon { 5, <I - 3, J - 3, 4>, <I - 2.2, J - 3,
+    4>, <I - 2.2, J - 2.2, 4>, <I - 3, J - 2.2, 4>, <I - 3, J - 3, 4> pigment { rgb <1, 0.5, 0.2>
+    } } #end #end plane { y, -3 pigment { checker rgb 1 rgb 0.3 } })",
+    R"(
+    difference { box { -1, 1 } sphere { <0, 0, -1>, 0.8 } pigment { rgb <0.9, 0.3, 0.2> } rotate
+    20*y } torus { 1.5, 0.3 rotate 70*x pigment { rgb <0.2, 0.4, 0.9> } } cylinder { <-3, -1, 1>,
+    <3, 2, 1>, 0.2 pigment { rgbt <0.3, 0.9, 0.4, 0.4> } interior { ior 1.3 } } merge { sphere {
+    <2, -1, 0>, 0.6 } sphere { <2.5, -1, 0>, 0.6 } pigment { rgb 0.8 } } sphere { <-2, 1, -1>, 0.7
+    no_image pigment { rgb 0.5 } } plane { z, 6 pigment { checker rgb 0.8 rgb <0.3, 0.3, 0.6> } }
+    polygon { 8, <-3, -2, -1>, <-1, -2, -1>, <-1, -1, -1>, <-1.6, -1.4, -1>, <-2, -1, -1>, <-2.5,
+    -1.6, -1>, <-3, -1, -1>, <-3, -2, -1> pigment { rgb <0.9, 0.8, 0.1> } })"};
 
 constexpr const char* kBundleStage =
     "background { rgb <0.2, 0.3, 0.5> } light_source { <-4, 6, -5>, rgb 0.8 } ";
