@@ -10,12 +10,18 @@
 #include <vector>
 
 #include "core/accel/light_points.h"
+#include "core/light/light_ray.h"
 #include "core/object/hit.h"
 #include "core/trace/shadow_tester.h"
 #include "core/trace/thread_context.h"
 #include "core/trace/unmet_object.h"
 
 namespace lentray::core {
+
+/// The way from that place to the light, where the answer has one.
+inline LightRay ray_at(const LightAnswers& answers, std::size_t place) {
+  return {answers.direction_at(place), answers.distance[place]};
+}
 
 class BlockLights {
  public:

@@ -23,7 +23,7 @@ bool LightLoop::pass_projector(const Object& projector, ShadowQuery& query) cons
 Rgb LightLoop::filters(const LitPoint& lit, std::uint32_t light, const BlockLights& block,
                        std::size_t place) const {
   const LightAnswers& answers = *block.of(light);
-  const LightRay ray{answers.direction_at(place), answers.distance[place]};
+  const LightRay ray = ray_at(answers, place);
   ShadowQuery query = query_at(lit);
   query.light = light;
   query.spot = &answers.spot[place];

@@ -221,7 +221,7 @@ class LightLoop {
                                                  const Facing& facing, const LightsAtPoint& known,
                                                  IncomingLight& out) {
     out.source = &source;
-    out.ray = known.block->of(source.index)->ray(known.place);
+    out.ray = ray_at(*known.block->of(source.index), known.place);
     out.colour = source.even ? source.colour : light_colour(source.light, point, out.ray);
     return !is_dark(out.colour) && facing.faces(source, out.ray.direction);
   }
