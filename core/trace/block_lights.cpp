@@ -1,7 +1,6 @@
 #include "core/trace/block_lights.h"
 
 #include "core/base/processor.h"
-#include "core/light/light_ray.h"
 #include "core/scene/tolerances.h"
 
 namespace lentray::core {
