@@ -15,6 +15,7 @@ figures() {
   $1 sheets-speed docs/performance.md '(30 min)' \
     'tests/bench/compare.sh --no-views balls; tests/bench/compare.sh --no-views gears'
   $1 print-job docs/performance.md '(40 min)' 'python3 tests/bench/print_job.py' 'python3 tests/bench/print_job.py'
+  $1 pixel-cost docs/performance.md '(20 min)' 'python3 tests/bench/pixel_cost.py'
   $1 primitives docs/performance.md '(40 min)' \
     'python3 tests/bench/primitives.py --runs 3 --json build/primitives.json;
      python3 tests/bench/primitives.py --runs 9 --json build/primitives.json
