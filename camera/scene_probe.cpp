@@ -21,8 +21,9 @@ SceneProbe probe_of(const core::Scene& scene, ObjectNamer namer, unsigned thread
     }
     const core::Object* object = hit.object;
     if (!object) object = hit.leaf;
-    return ProbeHit{
-        hit.t, std::string(object->name()), object, object->bounds(), object->whole(), names.get()};
+    return ProbeHit{hit.t,           std::string(object->name()),
+                    object,          [object] { return object->bounds(); },
+                    object->whole(), names.get()};
   };
   return {ask, threads, scene.deepest()};
 }

@@ -27,11 +27,12 @@ using ObjectNamer = std::function<std::string(const ProbeHit&)>;
 
 struct ProbeHit {
   double distance = 0.0;
-  std::string object;                                ///< SDL's word for what was hit ("sphere")
-  const void* id = nullptr;                          ///< distinguishes objects of the same kind
-  core::Bounds bounds = core::Bounds::everything();  ///< of the object; infinite for planes
-  std::uint32_t whole = 0;                           ///< core::Object::whole()
-  const ObjectNamer* namer = nullptr;                ///< null: places are not known
+  std::string object;        ///< SDL's word for what was hit ("sphere")
+  const void* id = nullptr;  ///< distinguishes objects of the same kind
+  /// Of the object, found when asked for: large objects may take long. Empty: it is infinite.
+  std::function<core::Bounds()> bounds{};
+  std::uint32_t whole = 0;             ///< core::Object::whole()
+  const ObjectNamer* namer = nullptr;  ///< null: places are not known
 
   std::string name() const { return namer && *namer ? (*namer)(*this) : object; }
 };

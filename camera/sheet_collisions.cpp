@@ -105,17 +105,22 @@ bool seen_through(const Lenticular& sheet, const SceneProbe& probe, const Crossi
 }
 
 bool larger_than(const ProbeHit& hit, const SheetPlacement& place) {
-  if (!hit.bounds.is_finite()) return true;
-  const Vec3 size = hit.bounds.hi - hit.bounds.lo;
+  if (!hit.bounds) return true;
+  const core::Bounds bounds = hit.bounds();
+  if (!bounds.is_finite()) return true;
+  const Vec3 size = bounds.hi - bounds.lo;
   return std::max({size.x, size.y, size.z}) > std::hypot(place.width, place.height);
 }
 
 void look_through_sheet(const Lenticular& sheet, const SceneProbe& probe, Collisions& out) {
   const SheetPlacement& place = sheet.placement();
   ObjectList cut, scenery;
+  std::map<const void*, bool> is_large;
   on_rectangle(probe, place.centre, place.right * place.width, place.up * place.height,
                [&](const Crossing& c) {
-                 ObjectList& list = larger_than(c.hit, place) ? scenery : cut;
+                 const auto [large, is_new] = is_large.try_emplace(c.hit.id);
+                 if (is_new || !c.hit.id) large->second = larger_than(c.hit, place);
+                 ObjectList& list = large->second ? scenery : cut;
                  if (!list.has(c.hit.id) && seen_through(sheet, probe, c)) list.add(c.hit);
                });
   if (!scenery.empty()) {

@@ -46,14 +46,16 @@ class PlainBand final : public OnePassBand {
 
  private:
   bool trace(FilmThread& thread) override {
-    const bool alpha = m_setup.alpha;
-    const std::uint32_t top = m_top;
-    Image& image = m_image;
-    const auto keep = [alpha, top, &image](const Pixel& p, const Radiance& seen) {
-      store(seen, alpha, image.pixel(p.column, p.row - top));
-    };
-    const auto stop = [&thread] { return !thread.begins(); };
-    return thread.sampler.centres(thread.pixels, thread.counters, keep, stop);
+    return thread.sampler.samples(
+        thread.pixels.size(), Sampler::Layout::kNeighbours,
+        [&](std::size_t i) { return SamplePlace{place_of(thread.pixels[i])}; },
+        [&](std::size_t i, const Sample& sample) {
+          const Pixel& p = thread.pixels[i];
+          if (!sample.has_ray) ++thread.counters.dark_pixels;
+          store(sample.has_ray ? sample.seen : Radiance{},  // not clear
+                m_setup.alpha, m_image.pixel(p.column, p.row - m_top));
+          return thread.begins();
+        });
   }
 };
 
@@ -66,41 +68,43 @@ class GridBand final : public OnePassBand {
 
  private:
   bool trace(FilmThread& thread) override {
-    for (const Pixel& p : thread.pixels) {
-      if (!thread.begins()) return false;
-      store(mean(p, thread), m_setup.alpha, m_image.pixel(p.column, p.row - m_top));
-    }
-    return true;
-  }
-
-  Radiance mean(const Pixel& pixel, FilmThread& thread) const {
-    const Antialiasing& aa = m_setup.antialiasing;
-    const double step = 1.0 / aa.depth;
-    const int samples = aa.depth * aa.depth;
-    const auto column = static_cast<std::int32_t>(pixel.column);
-    const auto row = static_cast<std::int32_t>(pixel.row);
-    Radiance sum{{}, 0.0f};
+    const int depth = m_setup.antialiasing.depth;
+    const auto cells = static_cast<std::size_t>(depth) * static_cast<std::size_t>(depth);
+    Radiance sum;
     bool shows = false;
-    for (int i = 0; i < samples; ++i) {
-      const PixelPlace place{.column = column,
-                             .row = row,
-                             .across = (i % aa.depth + 0.5) * step - 0.5,
-                             .down = (i / aa.depth + 0.5) * step - 0.5};
-      Radiance one;
-      if (thread.sampler.sample(place, static_cast<std::uint32_t>(i), one)) shows = true;
-      sum += one;
-    }
-    if (!shows) {
-      ++thread.counters.dark_pixels;
-      return {};
-    }
-    ++thread.counters.antialiased_pixels;
-    const float share = 1.0f / static_cast<float>(samples);
-    return sum * share;
+    return thread.sampler.samples(
+        cells * thread.pixels.size(), Sampler::Layout::kNeighbours,
+        [&](std::size_t i) {
+          const auto cell = static_cast<std::uint32_t>(i % cells);
+          return SamplePlace{cell_of(thread.pixels[i / cells], depth, cell), cell};
+        },
+        [&](std::size_t i, const Sample& sample) {
+          if (i % cells == 0) {
+            sum = {};
+            shows = false;
+          }
+          sum += sample.seen;
+          shows = shows || sample.has_ray;
+          if (i % cells + 1 < cells) return true;
+          ++(shows ? thread.counters.antialiased_pixels : thread.counters.dark_pixels);
+          const Pixel& p = thread.pixels[i / cells];
+          store(shows ? sum * (1.0f / static_cast<float>(cells)) : Radiance{}, m_setup.alpha,
+                m_image.pixel(p.column, p.row - m_top));
+          return thread.begins();
+        });
   }
 };
 
 }  // namespace
+
+PixelPlace cell_of(const Pixel& pixel, int depth, std::uint32_t cell) {
+  const double step = 1.0 / depth;
+  const int i = static_cast<int>(cell);
+  PixelPlace place = place_of(pixel);
+  place.across = (i % depth + 0.5) * step - 0.5;
+  place.down = (i / depth + 0.5) * step - 0.5;
+  return place;
+}
 
 void leave_out(const PixelSet* known, std::vector<Pixel>& pixels) {
   if (known) std::erase_if(pixels, [known](const Pixel& p) { return known->has(p); });

@@ -31,24 +31,42 @@ struct FilmThread {
   Sampler& sampler;
   Counters& counters;
   const std::atomic<bool>& cancel;
-  FrameMeter* meter = nullptr;           ///< null: nobody watches
-  std::vector<Pixel> pixels{};           ///< what the last job worked on
-  std::vector<float> values{};           ///< what the ledger keeps of them
-  std::vector<Compared> above{}, row{};  ///< of film_centres
-  std::vector<std::uint8_t> above_sampled{}, row_sampled{};
+  FrameMeter* meter = nullptr;  ///< null: nobody watches
+  std::vector<Pixel> pixels{};  ///< what the last job worked on
+  std::vector<float> values{};  ///< what the ledger keeps of them
+  /// A pixel of a chain as its neighbours see it.
+  struct Chained {
+    Compared now;
+    bool is_refined;
+  };
+  /// A pixel to be refined, and its place in `chain`.
+  struct Wanted {
+    Pixel pixel;
+    std::size_t at;
+  };
+  std::vector<Chained> chain{};  ///< of film_centres
+  std::vector<Wanted> wanted{};  ///< of film_centres
+  // Of film_corners: samples within the pixels that are cut together.
   struct Finer {
     Radiance seen;
     Compared compared;
     std::uint32_t stamp = 0;
   };
-  std::vector<Finer> finer{};  ///< of film_corners: the samples within a pixel
-  std::uint32_t stamp = 0;
+  struct FinerPlace {
+    std::uint32_t pixel, x, y;
+  };
+  std::vector<Finer> finer{};
+  std::vector<FinerPlace> places{};   ///< that are wanted
+  std::vector<std::uint32_t> open{};  ///< pixels that may want more
+  std::uint32_t stamp = 0;            ///< of a sample that is wanted
+  std::uint32_t known() const { return stamp + 1; }
 
   /// Work on a pixel begins; false: it is not to, as the frame was cancelled.
   bool begins() const {
     if (meter) meter->pixel();
-    return !cancel.load(std::memory_order_relaxed);
+    return !is_cancelled();
   }
+  bool is_cancelled() const { return cancel.load(std::memory_order_relaxed); }
 };
 
 class FilmBand {
@@ -79,6 +97,14 @@ struct FilmSetup {
 struct FilmColumns {
   std::uint32_t left = 0, right = 0;
 };
+
+/// A pixel's centre.
+inline PixelPlace place_of(const Pixel& pixel) {
+  return {.column = static_cast<std::int32_t>(pixel.column),
+          .row = static_cast<std::int32_t>(pixel.row)};
+}
+/// The middle of a cell of a pixel's area, of depth x depth, row by row.
+PixelPlace cell_of(const Pixel& pixel, int depth, std::uint32_t cell);
 
 /// Pixels of an order that are not known yet.
 void leave_out(const PixelSet* known, std::vector<Pixel>& pixels);

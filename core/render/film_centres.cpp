@@ -6,15 +6,17 @@
 // in tiles of PixelLattice::kTile pixels each way, counted from the image's corner: a tile sees the
 // bare centres of the pixels around it. So tiles can be traced alone and at once, and a part of a
 // picture has the whole picture's pixels. Within a tile, pixels that do not join one another (other
-// views behind a lens sheet) are chains of their own.
+// views behind a lens sheet) are chains of their own (core/render/pixel_chains.h). The samples of all
+// pixels that a step of a chain refines are traced together.
 // Source: reference manual 3.7, "Sampling_Method"; the order of the comparisons and the weights
 // measured on stock by tests/image/antialiasing_test.cpp.
 #include "core/render/film_of.h"
 
 #include <algorithm>
-#include <tuple>
+#include <iterator>
 #include <utility>
 
+#include "core/render/pixel_chains.h"
 #include "core/trace/random_key.h"
 
 namespace lentray::core {
@@ -22,17 +24,6 @@ namespace {
 
 constexpr std::uint32_t kTile = PixelLattice::kTile;
 constexpr std::size_t kBorderPixels = 1024;  ///< pixels outside the image that are traced at a time
-
-/// Pixels of a tile that join one another: their columns, ascending.
-struct Chain {
-  std::uint32_t begin = 0;  ///< of the tile
-  std::vector<std::uint32_t> columns;
-  std::vector<std::uint32_t>
-      left;  ///< by place in `columns`: that of the left neighbour, or kOutside
-  std::vector<std::pair<std::uint32_t, std::uint32_t>>
-      ahead;  ///< place, and its neighbour on the right
-};
-constexpr std::uint32_t kOutside = ~0u;
 
 struct Tiles {
   std::size_t first = 0, end = 0;  ///< of PixelLattice::tiles
@@ -51,41 +42,13 @@ Tiles tiles_of(const FilmSetup& setup) {
   return out;
 }
 
-std::vector<Chain> chains_of_tile(const PixelLattice& lattice, std::uint32_t begin,
-                                  std::uint32_t end) {
-  std::vector<Chain> chains;
-  std::vector<std::pair<std::uint32_t, std::uint32_t>> at(end - begin);  // chain, place in it
-  for (std::uint32_t k = begin; k < lattice.width(); ++k) {
-    const std::int32_t left = lattice.left[k];
-    const bool joins = left >= static_cast<std::int32_t>(begin);
-    if (k >= end) {
-      if (left >= static_cast<std::int32_t>(end)) break;
-      if (!joins) continue;
-      const auto& [chain, place] = at[static_cast<std::uint32_t>(left) - begin];
-      chains[chain].ahead.emplace_back(place, k);
-      continue;
-    }
-    std::uint32_t chain = static_cast<std::uint32_t>(chains.size()), neighbour = kOutside;
-    if (joins) {
-      std::tie(chain, neighbour) = at[static_cast<std::uint32_t>(left) - begin];
-    } else {
-      chains.emplace_back().begin = begin;
-    }
-    at[k - begin] = {chain, static_cast<std::uint32_t>(chains[chain].columns.size())};
-    chains[chain].columns.push_back(k);
-    chains[chain].left.push_back(neighbour);
-  }
-  return chains;
-}
-
-std::vector<Chain> chains_of(const FilmSetup& setup) {
-  std::vector<Chain> out;
+std::vector<PixelChain> chains_of(const FilmSetup& setup) {
+  std::vector<PixelChain> out;
   const Tiles tiles = tiles_of(setup);
   for (std::size_t i = tiles.first; i < tiles.end; ++i) {
-    for (Chain& chain :
-         chains_of_tile(setup.lattice, setup.lattice.tiles[i], setup.lattice.tiles[i + 1])) {
-      out.push_back(std::move(chain));
-    }
+    std::ranges::move(
+        chains_of_tile(setup.lattice, setup.lattice.tiles[i], setup.lattice.tiles[i + 1]),
+        std::back_inserter(out));
   }
   return out;
 }
@@ -97,7 +60,7 @@ struct CentresPlan : FilmPlan {
         base(columns.left == 0 ? setup.lattice.leftmost()
                                : static_cast<std::int32_t>(columns.left)),
         stride(static_cast<std::size_t>(static_cast<std::int32_t>(columns.right) - base)) {}
-  std::vector<Chain> chains;
+  std::vector<PixelChain> chains;
   FilmColumns columns;
   std::int32_t base;   ///< the first column that is kept, perhaps outside the image
   std::size_t stride;  ///< columns that are kept
@@ -109,18 +72,18 @@ class CentresBand final : public FilmBand {
   CentresBand(const CentresPlan& plan, std::uint32_t top, std::uint32_t bottom,
               std::uint32_t image_top, Image& image)
       : m_plan(plan), m_setup(plan.setup), m_top(top), m_bottom(bottom), m_image_top(image_top),
-        m_image(image) {
+        m_image(image), m_cells(static_cast<std::size_t>(plan.setup.antialiasing.depth) *
+                                static_cast<std::size_t>(plan.setup.antialiasing.depth)) {
     const std::uint32_t first = top > 0 ? top - 1 : 0;
     m_order = plan.orders.band(first, std::min(bottom + 1, m_setup.height));
-    if (plan.base < 0) {
+    for (std::int32_t k = plan.base; k < 0; ++k) {
       for (std::uint32_t row = top; row < bottom; ++row) {
-        for (std::int32_t k = plan.base; k < 0; ++k)
-          m_border.push_back({k, static_cast<std::int32_t>(row)});
+        m_border.push_back({.column = k, .row = static_cast<std::int32_t>(row)});
       }
     }
     if (top == 0) {
       for (std::uint32_t k = plan.columns.left; k < plan.columns.right; ++k) {
-        m_border.push_back({static_cast<std::int32_t>(k), -1});
+        m_border.push_back({.column = static_cast<std::int32_t>(k), .row = -1});
       }
     }
     m_centres.resize(plan.stride * (bottom - top + 2));
@@ -133,37 +96,9 @@ class CentresBand final : public FilmBand {
                       : m_plan.chains.size() * ((m_bottom - m_top + kTile - 1) / kTile);
   }
   bool work(std::size_t stage, std::size_t job, FilmThread& thread) override {
-    if (stage == 1) {
-      const auto tile = static_cast<std::uint32_t>(job / m_plan.chains.size());
-      const std::uint32_t top = m_top + tile * kTile, bottom = std::min(top + kTile, m_bottom);
-      const Chain& chain = m_plan.chains[job % m_plan.chains.size()];
-      if (is_known(chain, top, bottom)) return true;
-      if (!follow(chain, top, bottom, thread)) return false;
-      if (m_setup.keeps()) keep_colours(m_setup, 1, m_image_top, m_image, thread);
-      return true;
-    }
-    if (job < m_order->jobs()) {
-      m_order->pixels(job, thread.pixels);
-      leave_out(m_setup.known(0), thread.pixels);
-      for (const Pixel& p : thread.pixels) {
-        if (!thread.begins()) return false;
-        const bool seen =
-            trace(static_cast<std::int32_t>(p.column), static_cast<std::int32_t>(p.row), thread);
-        if (!seen && p.row >= m_top && p.row < m_bottom) ++thread.counters.dark_pixels;
-      }
-      if (m_setup.keeps()) {
-        keep_samples(m_setup, thread, [this](const Pixel& p) { return centre(p).seen; });
-      }
-      return true;
-    }
-    thread.pixels.clear();
-    const std::size_t first = (job - m_order->jobs()) * kBorderPixels;
-    const std::size_t end = std::min(m_border.size(), first + kBorderPixels);
-    for (std::size_t i = first; i < end; ++i) {
-      if (!thread.begins()) return false;
-      trace(m_border[i].first, m_border[i].second, thread);
-    }
-    return true;
+    if (stage == 1) return refine_chain(job, thread);
+    return job < m_order->jobs() ? trace_centres(job, thread)
+                                 : trace_border(job - m_order->jobs(), thread);
   }
 
  private:
@@ -172,12 +107,34 @@ class CentresBand final : public FilmBand {
     Compared compared;
   };
 
+  /// A chain through the rows [top, bottom) of its tile.
+  struct Walk {
+    const PixelChain& chain;
+    std::uint32_t top, bottom;
+    FilmThread& thread;
+
+    std::size_t rows() const { return bottom - top; }
+    /// Row 0 is the one above the tile.
+    std::size_t index(std::size_t place, std::size_t row) const {
+      return row * chain.columns.size() + place;
+    }
+    const Compared& now(std::size_t place, std::size_t row) const {
+      return thread.chain[index(place, row)].now;
+    }
+    void want(std::size_t place, std::size_t row) const {
+      const std::size_t at = index(place, row);
+      if (thread.chain[at].is_refined) return;
+      thread.chain[at].is_refined = true;
+      thread.wanted.push_back(
+          {{chain.columns[place], top + static_cast<std::uint32_t>(row) - 1}, at});
+    }
+  };
+
   Centre& centre(std::int32_t column, std::int32_t row) {
     return m_centres[static_cast<std::size_t>(row - (static_cast<std::int32_t>(m_top) - 1)) *
                          m_plan.stride +
                      static_cast<std::size_t>(column - m_plan.base)];
   }
-
   Centre& centre(const Pixel& p) {
     return centre(static_cast<std::int32_t>(p.column), static_cast<std::int32_t>(p.row));
   }
@@ -193,86 +150,126 @@ class CentresBand final : public FilmBand {
                    });
   }
 
-  /// All colours of the chain in the rows [top, bottom).
-  bool is_known(const Chain& chain, std::uint32_t top, std::uint32_t bottom) const {
+  bool trace_centres(std::size_t job, FilmThread& thread) {
+    m_order->pixels(job, thread.pixels);
+    leave_out(m_setup.known(0), thread.pixels);
+    const auto place = [&](std::size_t i) { return place_of(thread.pixels[i]); };
+    if (!trace(thread.pixels.size(), place, thread)) return false;
+    if (m_setup.keeps()) {
+      keep_samples(m_setup, thread, [this](const Pixel& p) { return centre(p).seen; });
+    }
+    return true;
+  }
+
+  bool trace_border(std::size_t part, FilmThread& thread) {
+    const std::size_t first = part * kBorderPixels;
+    const auto place = [&](std::size_t i) { return m_border[first + i]; };
+    return trace(std::min(m_border.size() - first, kBorderPixels), place, thread);
+  }
+
+  /// Pixels' centres; `place(i)` -> PixelPlace.
+  template <class Place>
+  bool trace(std::size_t count, const Place& place, FilmThread& thread) {
+    return thread.sampler.samples(
+        count, Sampler::Layout::kNeighbours, [&](std::size_t i) { return SamplePlace{place(i)}; },
+        [&](std::size_t i, const Sample& sample) {
+          const PixelPlace at = place(i);
+          Centre& out = centre(at.column, at.row);
+          out.seen = sample.seen;
+          out.compared = m_setup.space.of(sample.seen);
+          if (!sample.has_ray && is_own(at)) ++thread.counters.dark_pixels;
+          return thread.begins();
+        });
+  }
+
+  bool is_own(const PixelPlace& at) const {
+    return at.column >= 0 && at.row >= static_cast<std::int32_t>(m_top) &&
+           at.row < static_cast<std::int32_t>(m_bottom);
+  }
+
+  bool refine_chain(std::size_t job, FilmThread& thread) {
+    const auto tile = static_cast<std::uint32_t>(job / m_plan.chains.size());
+    const std::uint32_t top = m_top + tile * kTile;
+    const Walk walk{m_plan.chains[job % m_plan.chains.size()], top, std::min(top + kTile, m_bottom),
+                    thread};
+    if (is_known(walk)) return true;
+    begin(walk);
+    if (!follow(walk)) return false;
+    if (!m_setup.keeps()) return true;
+    thread.pixels.clear();
+    for (std::uint32_t row = walk.top; row < walk.bottom; ++row) {
+      for (const std::uint32_t k : walk.chain.columns) thread.pixels.push_back({k, row});
+    }
+    keep_colours(m_setup, 1, m_image_top, m_image, thread);
+    return true;
+  }
+
+  /// All colours of the chain.
+  bool is_known(const Walk& walk) const {
     const PixelSet* known = m_setup.known(1);
     if (!known) return false;
-    for (std::uint32_t row = top; row < bottom; ++row) {
-      for (const std::uint32_t k : chain.columns) {
+    for (std::uint32_t row = walk.top; row < walk.bottom; ++row) {
+      for (const std::uint32_t k : walk.chain.columns) {
         if (m_setup.region.has({k, row}) && !known->has({k, row})) return false;
       }
     }
     return true;
   }
 
-  bool trace(std::int32_t column, std::int32_t row, FilmThread& thread) {
-    Centre& out = centre(column, row);
-    const bool seen = thread.sampler.sample({.column = column, .row = row}, 0, out.seen);
-    out.compared = m_setup.space.of(out.seen);
-    return seen;
-  }
-
-  /// The mean of the centre and the samples of a grid over the pixel, written to the image.
-  Compared finer(std::uint32_t column, std::uint32_t row, FilmThread& thread) {
-    const auto c = static_cast<std::int32_t>(column), r = static_cast<std::int32_t>(row);
-    const Antialiasing& aa = m_setup.antialiasing;
-    const double step = 1.0 / aa.depth;
-    Radiance sum = centre(c, r).seen;
-    for (int i = 0; i < aa.depth * aa.depth; ++i) {
-      const auto index = static_cast<std::uint32_t>(i) + 1;
-      PixelPlace place{.column = c,
-                       .row = r,
-                       .across = (i % aa.depth + 0.5) * step - 0.5,
-                       .down = (i / aa.depth + 0.5) * step - 0.5};
-      if (aa.jitter > 0.0) {
-        RandomSequence random(sample_key(c, r, index), RandomSequence::Use::kFilm);
-        place.across += (random.next() - 0.5) * aa.jitter * step;
-        place.down += (random.next() - 0.5) * aa.jitter * step;
+  /// Pixels that are not refined show their centres. Those above the tile are not refined from here.
+  void begin(const Walk& walk) {
+    FilmThread& thread = walk.thread;
+    thread.wanted.clear();
+    thread.chain.clear();
+    for (const std::uint32_t k : walk.chain.columns) {
+      thread.chain.push_back({compared(k, walk.top, -1), true});
+    }
+    for (std::uint32_t row = walk.top; row < walk.bottom; ++row) {
+      for (const std::uint32_t k : walk.chain.columns) {
+        const Centre& here = centre({k, row});
+        thread.chain.push_back({here.compared, false});
+        put({k, row}, here.seen);
       }
-      Radiance one;
-      thread.sampler.sample(place, index, one);
-      sum += one;
-    }
-    const float share = 1.0f / static_cast<float>(aa.depth * aa.depth + 1);
-    const Radiance mean = sum * share;
-    put(column, row, mean);
-    ++thread.counters.antialiased_pixels;
-    return m_setup.space.of(mean);
-  }
-
-  void put(std::uint32_t column, std::uint32_t row, const Radiance& seen) {
-    if (m_setup.region.has({column, row})) {
-      store(seen, m_setup.alpha, m_image.pixel(column, row - m_image_top));
     }
   }
 
-  bool differ(const Compared& a, const Compared& b) const {
-    return a.distance(b) >= static_cast<float>(m_setup.antialiasing.threshold);
-  }
-
-  /// A chain through the rows [top, bottom) of its tile.
-  bool follow(const Chain& chain, std::uint32_t top, std::uint32_t bottom, FilmThread& thread) {
-    const std::size_t count = chain.columns.size();
-    thread.above.resize(count);
-    thread.above_sampled.assign(count, 1);
-    thread.row.resize(count);
-    thread.row_sampled.resize(count);
-    thread.pixels.clear();
-    for (std::size_t i = 0; i < count; ++i) thread.above[i] = compared(chain.columns[i], top, -1);
-    for (std::uint32_t row = top; row < bottom; ++row) {
-      if (!follow_row(chain, row, thread)) return false;
-      thread.above.swap(thread.row);
-      thread.above_sampled.swap(thread.row_sampled);
-      for (const std::uint32_t k : chain.columns) thread.pixels.push_back({k, row});
+  bool follow(const Walk& walk) {
+    const std::size_t count = walk.chain.columns.size(), rows = walk.rows();
+    bool goes_on = true;
+    for (std::size_t step = 0; step < walk.chain.steps(rows); ++step) {
+      walk.chain.at_step(step, rows, [&](std::size_t place, std::size_t row) {
+        if (place >= count) return visit_ahead(walk, place - count, row + 1);
+        goes_on = walk.thread.begins() && goes_on;
+        visit(walk, place, row + 1);
+      });
+      if (!goes_on || !refine(walk.thread)) return false;
     }
-    if (bottom == m_setup.height) return true;
+    if (walk.bottom == m_setup.height) return true;
     for (std::size_t i = 0; i < count; ++i) {
-      if (thread.above_sampled[i] ||
-          !differ(thread.above[i], compared(chain.columns[i], bottom, 0)))
-        continue;
-      finer(chain.columns[i], bottom - 1, thread);
+      if (differ(walk.now(i, rows), compared(walk.chain.columns[i], walk.bottom, 0))) {
+        walk.want(i, rows);
+      }
     }
-    return true;
+    return refine(walk.thread);
+  }
+
+  void visit(const Walk& walk, std::size_t place, std::size_t row) {
+    const std::uint32_t k = walk.chain.columns[place], left = walk.chain.left[place];
+    const Compared& here = walk.now(place, row);
+    const bool is_first = left == PixelChain::kOutside;
+    const auto image_row = static_cast<std::int32_t>(walk.top + row - 1);
+    const bool differs_left = differ(
+        is_first ? centre(m_setup.lattice.left[k], image_row).compared : walk.now(left, row), here);
+    const bool differs_above = differ(walk.now(place, row - 1), here);
+    if (differs_left && !is_first) walk.want(left, row);
+    if (differs_above) walk.want(place, row - 1);
+    if (differs_left || differs_above) walk.want(place, row);
+  }
+
+  void visit_ahead(const Walk& walk, std::size_t which, std::size_t row) {
+    const auto& [place, column] = walk.chain.ahead[which];
+    const auto image_row = walk.top + static_cast<std::uint32_t>(row) - 1;
+    if (differ(walk.now(place, row), compared(column, image_row, 0))) walk.want(place, row);
   }
 
   /// Of the bare centre of a pixel, `off` rows further.
@@ -280,49 +277,58 @@ class CentresBand final : public FilmBand {
     return centre(static_cast<std::int32_t>(column), static_cast<std::int32_t>(row) + off).compared;
   }
 
-  bool follow_row(const Chain& chain, std::uint32_t row, FilmThread& thread) {
-    std::fill(thread.row_sampled.begin(), thread.row_sampled.end(), std::uint8_t{0});
-    for (std::size_t i = 0; i < chain.columns.size(); ++i) {
-      const std::uint32_t k = chain.columns[i], left = chain.left[i];
-      if (!thread.begins()) return false;
-      const Centre& here = centre(static_cast<std::int32_t>(k), static_cast<std::int32_t>(row));
-      thread.row[i] = here.compared;
-      put(k, row, here.seen);
-      const Compared& beside =
-          left == kOutside
-              ? centre(m_setup.lattice.left[k], static_cast<std::int32_t>(row)).compared
-              : thread.row[left];
-      const bool differs_left = differ(beside, here.compared);
-      const bool differs_above = differ(thread.above[i], here.compared);
-      if (differs_left && left != kOutside && !thread.row_sampled[left]) {
-        sample_finer(chain.columns[left], row, thread.row[left], thread.row_sampled[left], thread);
-      }
-      if (differs_above && !thread.above_sampled[i]) {
-        sample_finer(k, row - 1, thread.above[i], thread.above_sampled[i], thread);
-      }
-      if (differs_left || differs_above)
-        sample_finer(k, row, thread.row[i], thread.row_sampled[i], thread);
-    }
-    for (const auto& [i, k] : chain.ahead) {
-      if (differ(thread.row[i], compared(k, row, 0)) && !thread.row_sampled[i]) {
-        sample_finer(chain.columns[i], row, thread.row[i], thread.row_sampled[i], thread);
-      }
-    }
-    return true;
+  bool differ(const Compared& a, const Compared& b) const {
+    return a.distance(b) >= static_cast<float>(m_setup.antialiasing.threshold);
   }
 
-  void sample_finer(std::uint32_t column, std::uint32_t row, Compared& now, std::uint8_t& sampled,
-                    FilmThread& thread) {
-    now = finer(column, row, thread);
-    sampled = 1;
+  /// The pixels that are wanted become the means of their centres and the samples of grids over them.
+  bool refine(FilmThread& thread) {
+    const float share = 1.0f / static_cast<float>(m_cells + 1);
+    Radiance sum;
+    const bool goes_on = thread.sampler.samples(
+        thread.wanted.size() * m_cells, Sampler::Layout::kScattered,
+        [&](std::size_t i) {
+          return finer(thread.wanted[i / m_cells].pixel, static_cast<std::uint32_t>(i % m_cells));
+        },
+        [&](std::size_t i, const Sample& sample) {
+          const FilmThread::Wanted& wanted = thread.wanted[i / m_cells];
+          if (i % m_cells == 0) sum = centre(wanted.pixel).seen;
+          sum += sample.seen;
+          if (i % m_cells + 1 < m_cells) return true;
+          const Radiance mean = sum * share;
+          put(wanted.pixel, mean);
+          thread.chain[wanted.at].now = m_setup.space.of(mean);
+          ++thread.counters.antialiased_pixels;
+          return !thread.is_cancelled();
+        });
+    thread.wanted.clear();
+    return goes_on;
+  }
+
+  SamplePlace finer(const Pixel& pixel, std::uint32_t cell) const {
+    const Antialiasing& aa = m_setup.antialiasing;
+    SamplePlace out{cell_of(pixel, aa.depth, cell), cell + 1};
+    if (!(aa.jitter > 0.0)) return out;
+    RandomSequence random(sample_key(out.place.column, out.place.row, out.index),
+                          RandomSequence::Use::kFilm);
+    const double step = 1.0 / aa.depth;
+    out.place.across += (random.next() - 0.5) * aa.jitter * step;
+    out.place.down += (random.next() - 0.5) * aa.jitter * step;
+    return out;
+  }
+
+  void put(const Pixel& pixel, const Radiance& seen) {
+    if (!m_setup.region.has(pixel)) return;
+    store(seen, m_setup.alpha, m_image.pixel(pixel.column, pixel.row - m_image_top));
   }
 
   const CentresPlan& m_plan;
   const FilmSetup& m_setup;
   const std::uint32_t m_top, m_bottom, m_image_top;
   Image& m_image;
+  const std::size_t m_cells;  ///< of a pixel that is refined
   std::unique_ptr<PixelOrder> m_order;
-  std::vector<std::pair<std::int32_t, std::int32_t>> m_border;  ///< pixels outside the image
+  std::vector<PixelPlace> m_border;  ///< the centres of pixels outside the image
   std::vector<Centre> m_centres;
 };
 

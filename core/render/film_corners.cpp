@@ -1,12 +1,15 @@
 // Antialiasing method 2: adaptive and recursive. The corners of all pixels come first, in the pixel
 // order; then each pixel whose corners differ is cut into quarters, and these into theirs, `depth`
-// times at most. Pixels do not depend on each other.
+// times at most. Pixels do not depend on each other: some are cut at a time, all into quarters, then all into
+// sixteenths and so on, so that their samples are traced together.
 // Source: reference manual 3.7, "Sampling_Method"; places, weights and jitter measured on stock by
 // tests/image/antialiasing_test.cpp.
 #include "core/render/film_of.h"
 
 #include <algorithm>
 #include <array>
+#include <functional>
+#include <span>
 #include <utility>
 
 #include "core/trace/random_key.h"
@@ -16,6 +19,8 @@ namespace {
 
 constexpr std::size_t kBorderCorners =
     1024;  ///< corners outside the image that are traced at a time
+/// Pixels that are cut together, and the places within all of them, at most.
+constexpr std::size_t kMostPixels = 64, kMostPlaces = std::size_t{1} << 14;
 /// Where the areas of pixels do not join, a pixel has its right corners to itself.
 constexpr std::uint32_t kRightCorner = ~0u;
 
@@ -69,7 +74,7 @@ class CornersBand final : public FilmBand {
     if (job < m_corner_order->jobs()) {
       m_corner_order->pixels(job, thread.pixels);
       leave_out(known_corners(), thread.pixels);
-      if (!trace_corners(thread.pixels.data(), thread.pixels.size(), thread)) return false;
+      if (!trace_corners(thread.pixels, thread)) return false;
       if (m_setup.keeps() && m_plan.step > 0) {
         keep_samples(m_setup, thread,
                      [this](const Pixel& p) { return corner(p.column, p.row).seen; });
@@ -78,8 +83,8 @@ class CornersBand final : public FilmBand {
     }
     thread.pixels.clear();
     const std::size_t first = (job - m_corner_order->jobs()) * kBorderCorners;
-    return trace_corners(m_border.data() + first, std::min(m_border.size() - first, kBorderCorners),
-                         thread);
+    const std::size_t count = std::min(m_border.size() - first, kBorderCorners);
+    return trace_corners(std::span(m_border).subspan(first, count), thread);
   }
 
  private:
@@ -108,79 +113,160 @@ class CornersBand final : public FilmBand {
                    });
   }
 
-  bool trace_corners(const Pixel* pixels, std::size_t count, FilmThread& thread) {
-    for (std::size_t i = 0; i < count; ++i) {
-      if (!thread.begins()) return false;
-      trace(pixels[i], false, thread);
-      if (m_plan.step == 0) trace(pixels[i], true, thread);
+  bool trace_corners(std::span<const Pixel> pixels, FilmThread& thread) {
+    const std::size_t each = m_plan.step == 0 ? 2 : 1;
+    const auto is_right = [each](std::size_t i) { return i % each == 1; };
+    return thread.sampler.samples(
+        pixels.size() * each, Sampler::Layout::kNeighbours,
+        [&](std::size_t i) { return corner_place(pixels[i / each], is_right(i)); },
+        [&](std::size_t i, const Sample& sample) {
+          const Pixel& p = pixels[i / each];
+          corner(p.column, p.row, is_right(i)) = {sample.seen, m_setup.space.of(sample.seen),
+                                                  sample.has_ray};
+          return thread.begins();
+        });
+  }
+
+  static SamplePlace corner_place(const Pixel& pixel, bool right) {
+    SamplePlace out{place_of(pixel), right ? kRightCorner : 0};
+    out.place.across = right ? 0.5 : -0.5;
+    out.place.down = -0.5;
+    return out;
+  }
+
+  bool cut_pixels(FilmThread& thread) {
+    const std::size_t most = std::clamp<std::size_t>(kMostPlaces / places(), 1, kMostPixels);
+    for (std::span<const Pixel> left = thread.pixels; !left.empty();) {
+      const auto pixels = left.first(std::min(most, left.size()));
+      if (!cut_together(pixels, thread)) return false;
+      left = left.subspan(pixels.size());
     }
     return true;
   }
 
-  void trace(const Pixel& p, bool right, FilmThread& thread) {
-    Corner& out = corner(p.column, p.row, right);
-    const PixelPlace place{.column = static_cast<std::int32_t>(p.column),
-                           .row = static_cast<std::int32_t>(p.row),
-                           .across = right ? 0.5 : -0.5,
-                           .down = -0.5};
-    out.has_ray = thread.sampler.sample(place, right ? kRightCorner : 0, out.seen);
-    out.compared = m_setup.space.of(out.seen);
+  bool cut_together(std::span<const Pixel> pixels, FilmThread& thread) {
+    begin(pixels, thread);
+    for (;;) {
+      std::erase_if(thread.open, [&](std::uint32_t i) {
+        return !want({thread, i}, {0, 0, m_plan.places});
+      });
+      if (thread.open.empty()) break;
+      if (!trace_wanted(pixels, thread)) return false;
+    }
+    for (std::uint32_t i = 0; i < pixels.size(); ++i) {
+      if (!thread.begins()) return false;
+      if (m_setup.region.has(pixels[i])) store_mean(pixels[i], {thread, i});
+    }
+    return true;
   }
 
-  bool cut_pixels(FilmThread& thread) {
-    const std::size_t side = m_plan.places + 1;
-    if (thread.finer.size() < side * side) thread.finer.assign(side * side, {});
-    for (const Pixel& pixel : thread.pixels) {
-      if (!thread.begins()) return false;
+  /// The places within one of the pixels that are cut together.
+  struct Grid {
+    FilmThread& thread;
+    std::uint32_t pixel;
+  };
+  FilmThread::Finer& at(const Grid& grid, std::uint32_t x, std::uint32_t y) const {
+    return grid.thread.finer[grid.pixel * places() + std::size_t{y} * (m_plan.places + 1) + x];
+  }
+  std::size_t places() const {
+    return std::size_t{m_plan.places + 1} * std::size_t{m_plan.places + 1};
+  }
+
+  /// Pixels begin with their corners, all of them open.
+  void begin(std::span<const Pixel> pixels, FilmThread& thread) {
+    thread.stamp += 2;
+    if (thread.finer.size() < pixels.size() * places())
+      thread.finer.resize(pixels.size() * places());
+    thread.open.clear();
+    for (std::uint32_t i = 0; i < pixels.size(); ++i) {
+      const Pixel& pixel = pixels[i];
       if (!m_setup.region.has(pixel)) continue;
-      ++thread.stamp;
-      const std::uint32_t end = m_plan.places;
-      bool has_ray = false, was_cut = false;
+      bool has_ray = false;
       for (const std::uint32_t x : {0u, 1u}) {
         for (const std::uint32_t y : {0u, 1u}) {
           const Corner& from = corner(pixel.column, pixel.row + y, x == 1);
-          at(thread, x * end, y * end) = {from.seen, from.compared, thread.stamp};
+          at({thread, i}, x * m_plan.places, y * m_plan.places) = {from.seen, from.compared,
+                                                                   thread.known()};
           has_ray = has_ray || from.has_ray;
         }
       }
       if (!has_ray) ++thread.counters.dark_pixels;
-      const Radiance mean = cut(pixel, {0, 0, end}, was_cut, thread);
-      if (was_cut) ++thread.counters.antialiased_pixels;
-      store(mean, m_setup.alpha, m_image.pixel(pixel.column, pixel.row - m_image_top));
+      thread.open.push_back(i);
     }
-    return true;
-  }
-
-  FilmThread::Finer& at(FilmThread& thread, std::uint32_t x, std::uint32_t y) const {
-    return thread.finer[std::size_t{y} * (m_plan.places + 1) + x];
   }
 
   /// A square within a pixel.
   struct Square {
     std::uint32_t x, y, side;
+    std::uint32_t right() const { return x + side; }
+    std::uint32_t below() const { return y + side; }
+    std::uint32_t middle() const { return x + side / 2; }
+    std::uint32_t centre() const { return y + side / 2; }
+    std::array<Square, 4> quarters() const {
+      const std::uint32_t half = side / 2;
+      return {
+          Square{x, y, half}, {middle(), y, half}, {x, centre(), half}, {middle(), centre(), half}};
+    }
   };
 
-  /// Samples a place unless the pixel has it already.
-  void need(const Pixel& pixel, std::uint32_t x, std::uint32_t y, FilmThread& thread) const {
-    FilmThread::Finer& out = at(thread, x, y);
-    if (out.stamp == thread.stamp) return;
+  Corners corners(const Grid& grid, const Square& q) const {
+    return {&at(grid, q.x, q.y), &at(grid, q.right(), q.y), &at(grid, q.x, q.below()),
+            &at(grid, q.right(), q.below())};
+  }
+  bool is_cut(const Grid& grid, const Square& q) const {
+    return q.side > 2 && differ(corners(grid, q));
+  }
+
+  /// Wants what the square lacks for being cut. False: it lacks nothing.
+  bool want(const Grid& grid, const Square& q) const {
+    if (!is_cut(grid, q)) return false;
+    const bool lacks[] = {want(grid, q.x, q.centre()), want(grid, q.middle(), q.y),
+                          want(grid, q.right(), q.centre()), want(grid, q.middle(), q.below()),
+                          want(grid, q.middle(), q.centre())};
+    if (std::ranges::any_of(lacks, std::identity{})) return true;
+    bool any = false;
+    for (const Square& quarter : q.quarters()) any = want(grid, quarter) || any;
+    return any;
+  }
+  /// False: the pixel has the place already.
+  bool want(const Grid& grid, std::uint32_t x, std::uint32_t y) const {
+    FilmThread& thread = grid.thread;
+    std::uint32_t& stamp = at(grid, x, y).stamp;
+    if (stamp == thread.known()) return false;
+    if (stamp != thread.stamp) thread.places.push_back({grid.pixel, x, y});
+    stamp = thread.stamp;
+    return true;
+  }
+
+  bool trace_wanted(std::span<const Pixel> pixels, FilmThread& thread) const {
+    const bool goes_on = thread.sampler.samples(
+        thread.places.size(), Sampler::Layout::kScattered,
+        [&](std::size_t i) {
+          const FilmThread::FinerPlace& place = thread.places[i];
+          return finer(pixels[place.pixel], place.x, place.y);
+        },
+        [&](std::size_t i, const Sample& sample) {
+          const FilmThread::FinerPlace& place = thread.places[i];
+          at({thread, place.pixel}, place.x, place.y) = {sample.seen, m_setup.space.of(sample.seen),
+                                                         thread.known()};
+          return !thread.is_cancelled();
+        });
+    thread.places.clear();
+    return goes_on;
+  }
+
+  SamplePlace finer(const Pixel& pixel, std::uint32_t x, std::uint32_t y) const {
     const Antialiasing& aa = m_setup.antialiasing;
-    const auto index = y * (m_plan.places + 1) + x + 1;
-    const auto column = static_cast<std::int32_t>(pixel.column),
-               row = static_cast<std::int32_t>(pixel.row);
-    PixelPlace place{.column = column,
-                     .row = row,
-                     .across = 1.0 * x / m_plan.places - 0.5,
-                     .down = 1.0 * y / m_plan.places - 0.5};
-    if (aa.jitter > 0.0) {
-      RandomSequence random(sample_key(column, row, index), RandomSequence::Use::kFilm);
-      const double most = aa.jitter / (m_plan.places + 1);
-      place.across += (random.next() - 0.5) * most;
-      place.down += (random.next() - 0.5) * most;
-    }
-    thread.sampler.sample(place, index, out.seen);
-    out.compared = m_setup.space.of(out.seen);
-    out.stamp = thread.stamp;
+    SamplePlace out{place_of(pixel), y * (m_plan.places + 1) + x + 1};
+    out.place.across = 1.0 * x / m_plan.places - 0.5;
+    out.place.down = 1.0 * y / m_plan.places - 0.5;
+    if (!(aa.jitter > 0.0)) return out;
+    RandomSequence random(sample_key(out.place.column, out.place.row, out.index),
+                          RandomSequence::Use::kFilm);
+    const double most = aa.jitter / (m_plan.places + 1);
+    out.place.across += (random.next() - 0.5) * most;
+    out.place.down += (random.next() - 0.5) * most;
+    return out;
   }
 
   bool differ(const Corners& c) const {
@@ -193,25 +279,18 @@ class CornersBand final : public FilmBand {
     return false;
   }
 
-  Radiance cut(const Pixel& pixel, const Square& q, bool& was_cut, FilmThread& thread) const {
-    const std::uint32_t right = q.x + q.side, below = q.y + q.side;
-    const Corners corners{&at(thread, q.x, q.y), &at(thread, right, q.y), &at(thread, q.x, below),
-                          &at(thread, right, below)};
+  void store_mean(const Pixel& pixel, const Grid& grid) {
+    const Square whole{0, 0, m_plan.places};
+    if (is_cut(grid, whole)) ++grid.thread.counters.antialiased_pixels;
+    store(mean(grid, whole), m_setup.alpha, m_image.pixel(pixel.column, pixel.row - m_image_top));
+  }
+
+  Radiance mean(const Grid& grid, const Square& q) const {
     Radiance sum;
-    if (q.side > 2 && differ(corners)) {
-      was_cut = true;
-      const std::uint32_t half = q.side / 2, x = q.x + half, y = q.y + half;
-      need(pixel, q.x, y, thread);
-      need(pixel, x, q.y, thread);
-      need(pixel, right, y, thread);
-      need(pixel, x, below, thread);
-      need(pixel, x, y, thread);
-      for (const Square& quarter :
-           {Square{q.x, q.y, half}, {x, q.y, half}, {q.x, y, half}, {x, y, half}}) {
-        sum += cut(pixel, quarter, was_cut, thread);
-      }
+    if (is_cut(grid, q)) {
+      for (const Square& quarter : q.quarters()) sum += mean(grid, quarter);
     } else {
-      for (const FilmThread::Finer* c : corners) sum += c->seen;
+      for (const FilmThread::Finer* c : corners(grid, q)) sum += c->seen;
     }
     return sum * 0.25f;
   }

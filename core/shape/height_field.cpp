@@ -216,6 +216,7 @@ HeightField::HeightField(std::shared_ptr<const HeightGrid> grid, double water_le
   m_box = {{0.0, std::max(m_grid->lowest(), kFullHeight * water_level) - kMargin, 0.0},
            {width, m_grid->highest() + kMargin, depth}};
   m_to_space = Transform::scaling({1.0 / width, 1.0 / kFullHeight, 1.0 / depth});
+  m_reach = own_box();
 }
 
 /// Where the box is turned: of the solid's floor and of the points above it.
@@ -237,6 +238,7 @@ Bounds HeightField::own_box() const {
 std::unique_ptr<Shape> HeightField::baked(const Transform& t) const {
   auto copy = std::make_unique<HeightField>(*this);
   copy->m_to_space = m_to_space.then(t);
+  copy->m_reach = copy->own_box();
   return copy;
 }
 

@@ -65,7 +65,7 @@ class HeightField final : public Shape {
   ShapeTraits traits() const override {
     return {.name = "height_field", .solid_is_unbounded = true};
   }
-  Bounds box(const Transform* move) const override { return moved_box(own_box(), move); }
+  Bounds box(const Transform* move) const override { return moved_box(m_reach, move); }
   bool nearest(const Ray& ray, double t_min, double t_max, ShapeHit& hit) const override;
   void all(const Ray& ray, double t_min, double t_max, ShapeHits& hits) const override;
   bool any(const Ray& ray, double t_min, double t_max) const override;
@@ -89,6 +89,7 @@ class HeightField final : public Shape {
   std::shared_ptr<const HeightGrid> m_grid;
   Bounds m_box;          ///< grid space
   Transform m_to_space;  ///< from grid space
+  Bounds m_reach;        ///< own_box(), which may look at every point of the grid
 };
 
 }  // namespace lentray::core

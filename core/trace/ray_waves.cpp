@@ -1,7 +1,6 @@
 #include "core/trace/ray_waves.h"
 
 #include <algorithm>
-#include <bit>
 #include <memory>
 
 #include "core/trace/illumination.h"
@@ -19,18 +18,18 @@ RayWaves::RayWaves(ThreadContext& context, Integrator& integrator, ShadowTester&
   if (m_works) m_nodes = std::make_unique<Node[]>(kMostNodes);
 }
 
-void RayWaves::trace(std::span<const Ray> rays, std::span<const Pixel> pixels,
-                     const FirstHits& hits, std::span<Radiance> seen) {
+void RayWaves::trace(std::span<const Ray> rays, std::span<const SampleOfPixel> samples,
+                     const FirstHits* hits, std::span<Radiance> seen) {
   m_context.interiors.forget_if_large();
-  m_pixels = pixels;
+  m_samples = samples;
   m_count = 0;
   for (std::size_t i = 0; i < rays.size(); ++i) {
-    m_camera[i] = m_stepper.begin(rays[i], pixels[i], std::bit_cast<std::uint64_t>(pixels[i]));
+    m_camera[i] = m_stepper.begin(rays[i], samples[i].pixel, samples[i].key);
     add(m_camera[i], i, 0);
   }
   for (std::size_t first = 0; first < m_count;) {
     const std::size_t end = std::min(first + kMost, first == 0 ? rays.size() : m_count);
-    meet(first, end, first == 0 ? &hits : nullptr);
+    meet(first, end, first == 0 ? hits : nullptr);
     light(first, end);
     shade(first, end);
     first = end;
@@ -91,7 +90,7 @@ void RayWaves::shade(std::size_t first, std::size_t end) {
       if (plain) {
         m_stepper.see_plain(*node.state, *hit, m_places[at], *plain, m_plain.sum(at), node.record);
       } else {
-        m_context.pixel = m_pixels[node.root];
+        m_context.pixel = m_samples[node.root].pixel;
         m_stepper.see_surface(*node.state, *hit, m_places[at], &m_lights, at, node.record);
       }
       if (!node.record.onward.empty()) add_onward(node);
@@ -116,7 +115,7 @@ void RayWaves::resolve() {
     Node* const node = &m_nodes[i];
     if (node->is_cut) continue;
     std::uint32_t next = node->first;
-    if (next == kFollowed) m_context.pixel = m_pixels[node->root];
+    if (next == kFollowed) m_context.pixel = m_samples[node->root].pixel;
     node->seen = node->record.gather([&](const OnwardRay& ray) {
       if (next == kFollowed) return m_integrator.follow_from(ray.state, node->depth + 1);
       return m_nodes[next++].seen;

@@ -21,6 +21,12 @@
 
 namespace lentray::core {
 
+/// The sample that a camera ray belongs to.
+struct SampleOfPixel {
+  Pixel pixel;
+  std::uint64_t key;  ///< core/trace/random_key.h
+};
+
 class RayWaves {
  public:
   static constexpr std::size_t kMost = FirstHits::kMost;
@@ -29,9 +35,9 @@ class RayWaves {
   RayWaves(ThreadContext& context, Integrator& integrator, ShadowTester& shadows);
   /// False: the integrator alone is as quick, or has to follow the rays one by one; trace() must not be called.
   bool works() const { return m_works; }
-  /// What samples 0 of these pixels, 1 to kMost, see along their rays, of which `hits` knows what they meet first.
-  void trace(std::span<const Ray> rays, std::span<const Pixel> pixels, const FirstHits& hits,
-             std::span<Radiance> seen);
+  /// What these samples, 1 to kMost, see along their rays. `hits` has looked for what they meet first; null: nobody has.
+  void trace(std::span<const Ray> rays, std::span<const SampleOfPixel> samples,
+             const FirstHits* hits, std::span<Radiance> seen);
 
  private:
   /// A ray on the way.
@@ -71,7 +77,7 @@ class RayWaves {
   PlainTextures m_textures;
   PlainLights m_plain;
   bool m_works, m_has_plain;
-  std::span<const Pixel> m_pixels;
+  std::span<const SampleOfPixel> m_samples;
   std::array<RayState, kMost> m_camera;
   std::unique_ptr<Node[]> m_nodes;  ///< kMostNodes of them, used again
   std::size_t m_count = 0;

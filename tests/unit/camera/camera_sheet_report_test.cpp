@@ -24,7 +24,7 @@ SceneProbe plane_at(const Vec3& normal, double distance) {
     const double t = (distance - core::dot(ray.origin, normal)) / along;
     if (t <= 1e-9 || t >= limit) return std::nullopt;
     static const int kId = 0;
-    return ProbeHit{t, "plane", &kId, Bounds::everything()};
+    return ProbeHit{t, "plane", &kId};
   };
 }
 
@@ -36,7 +36,8 @@ SceneProbe ball_at(const Vec3& centre, double radius, const void* id = "ball") {
     const double under = b * b - a * (core::length_squared(o) - radius * radius);
     if (under < 0.0) return std::nullopt;
     for (const double t : {(-b - std::sqrt(under)) / a, (-b + std::sqrt(under)) / a}) {
-      if (t > 1e-9 && t < limit) return ProbeHit{t, "sphere", id, Bounds{centre - r, centre + r}};
+      if (t > 1e-9 && t < limit)
+        return ProbeHit{t, "sphere", id, [=] { return Bounds{centre - r, centre + r}; }};
     }
     return std::nullopt;
   };

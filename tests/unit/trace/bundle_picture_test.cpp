@@ -1,5 +1,5 @@
-// Pictures have the same bits whether the rays of neighbouring pixels are searched together or alone: of ordinary
-// cameras and lens sheets, in every order of pixels, with objects that bundles ask one by one.
+// Pictures have the same bits whether the rays of many samples are traced together or alone: of ordinary cameras and
+// lens sheets, in every order of pixels, with each method of antialiasing, with objects that bundles ask one by one.
 #include <gtest/gtest.h>
 
 #include <memory>
@@ -54,16 +54,19 @@ struct Kept final : BandSink {
 
 std::vector<float> bundle_picture(const Scene& scene, const RaySource& camera,
                                   const camera::LensSheet* sheet, std::string_view order,
-                                  bool bundles) {
+                                  const Antialiasing& antialiasing, bool bundles) {
   FrameOptions options;
+  options.antialiasing = antialiasing;
   options.threads = 2;
   options.bundles = bundles;
-  const auto orders = shadow::make_band_orders(order, {0, kWidth}, sheet, nullptr);
-  const auto shadows = shadow::make_tester_factory("off");
   FrameShape shape;
   shape.width = kWidth;
   shape.height = kHeight;
   shape.band_height = 33;
+  const FilmColumns columns = traced_columns(camera, shape, options);
+  const auto orders =
+      shadow::make_band_orders(order, {columns.left, columns.right}, sheet, nullptr);
+  const auto shadows = shadow::make_tester_factory("off");
   Kept kept;
   render_frame(scene, camera, shape, *orders, *shadows, options, kept, nullptr);
   return kept.values;
@@ -94,18 +97,35 @@ std::vector<std::unique_ptr<camera::Camera>> bundle_cameras() {
   return all;
 }
 
-TEST(UnitBundlePicture, HasTheBitsOfRaysThatAreSearchedAlone) {
+/// None, then each method.
+std::vector<Antialiasing> bundle_antialiasing() {
+  std::vector<Antialiasing> all(4);
+  for (int method = 0; method < 4; ++method) {
+    Antialiasing& each = all[static_cast<std::size_t>(method)];
+    each.method = method;
+    each.threshold = 0.1;
+    each.depth = 2;
+    each.jitter = method == 2 ? 1.0 : 0.0;
+  }
+  return all;
+}
+
+TEST(UnitBundlePicture, HasTheBitsOfRaysThatAreTracedAlone) {
   for (const char* text : kBundleScenes) {
     parser::test::SceneText made(std::string(kBundleStage) + text);
-    const Scene scene(made.build(), {});
+    Scene scene(made.build(), {});
+    scene.build_light_buffers(1'000'000);
     for (const auto& camera : bundle_cameras()) {
       const auto* lens = dynamic_cast<const camera::Lenticular*>(camera.get());
       const camera::LensSheet* sheet = lens ? &lens->sheet() : nullptr;
-      const std::vector<float> alone = bundle_picture(scene, *camera, sheet, "rows", false);
-      for (const std::string_view order : shadow::order_names()) {
-        if (shadow::follows_shadows(order)) continue;
-        SCOPED_TRACE(std::string(camera->name()) + " " + std::string(order));
-        EXPECT_TRUE(bundle_picture(scene, *camera, sheet, order, true) == alone);
+      for (const Antialiasing& each : bundle_antialiasing()) {
+        const std::vector<float> alone = bundle_picture(scene, *camera, sheet, "rows", each, false);
+        for (const std::string_view order : shadow::order_names()) {
+          if (shadow::follows_shadows(order)) continue;
+          SCOPED_TRACE(std::string(camera->name()) + " " + std::string(order) + " method " +
+                       std::to_string(each.method));
+          EXPECT_TRUE(bundle_picture(scene, *camera, sheet, order, each, true) == alone);
+        }
       }
     }
   }

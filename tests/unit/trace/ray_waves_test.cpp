@@ -13,6 +13,7 @@
 #include "core/trace/first_hits.h"
 #include "core/trace/integrator.h"
 #include "core/trace/plain_shadow_tester.h"
+#include "core/trace/random_key.h"
 #include "core/trace/thread_context.h"
 #include "shadow/auto_tester.h"
 #include "tests/unit/parser/scene_text.h"
@@ -125,7 +126,7 @@ bool is_plain_enough(const Scene& scene) {
   return Tester(context).plain() != nullptr;
 }
 
-/// Blocks of different sizes; of those of few rays nobody knows what they meet.
+/// Blocks of different sizes; of some and of those of few rays nobody knows what they meet.
 template <class Tester>
 Seen in_waves(const Scene& scene) {
   const WaveRays all;
@@ -144,7 +145,12 @@ Seen in_waves(const Scene& scene) {
     std::span<const Ray> rays = std::span(all.rays).subspan(first, most);
     rays = rays.first(hits.find(rays));
     const std::size_t count = rays.size();
-    waves.trace(rays, std::span(all.pixels).subspan(first, count), hits,
+    std::vector<SampleOfPixel> samples;
+    for (const Pixel& p : std::span(all.pixels).subspan(first, count)) {
+      samples.push_back({p, sample_key(static_cast<std::int32_t>(p.column),
+                                       static_cast<std::int32_t>(p.row), 0)});
+    }
+    waves.trace(rays, samples, block % 3 == 2 ? nullptr : &hits,
                 std::span(seen.light).subspan(first, count));
     first += count;
   }
