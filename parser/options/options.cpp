@@ -245,7 +245,7 @@ bool is_scene_name(const std::string& text, std::size_t equals) {
   const std::string_view name = std::string_view(text).substr(0, equals);
   const bool is_option = std::ranges::any_of(
       option_table(), [&](const OptionRow& row) { return same_word(row.name, name); });
-  return !is_option && (ends_with(text, ".pov") || is_file(text));
+  return !is_option && (ends_with(text, ".pov") || fs::exists(text, core::ignored_error()));
 }
 
 /// Of types whose names choose them: TIFF, which stock has not, and OpenEXR. Empty: none.
@@ -259,6 +259,12 @@ std::string_view choosing_extension(std::string_view name, core::FileType& type)
 }
 
 }  // namespace
+
+bool is_scene_word(const std::string& word) {
+  std::size_t equals = 0;
+  return !is_switch(word) && !is_ini(word) &&
+         (!looks_like_option(word, equals) || is_scene_name(word, equals));
+}
 
 OptionSources installed_sources() {
   OptionSources sources;

@@ -169,6 +169,10 @@ inline constexpr const char* kFolderIni = "povray.ini";
 /// put POV-Ray's include files.
 OptionSources installed_sources();
 
+/// Whether a word of a command line names a scene, or another file: it is no switch, no INI file and no `Name=Value`.
+/// "a=b.pov" is a scene, as any file that is there, where no option is called a.
+bool is_scene_word(const std::string& word);
+
 /// argv without the program's name. A lens sheet's size has become columns and rows.
 RenderOptions read_options(std::span<const std::string> arguments, const OptionSources& sources);
 

@@ -148,7 +148,7 @@ class Parsing {
   void other(const std::string& word) {
     std::error_code error;
     const bool is_switch = parser::is_switch(word);
-    if (!is_switch && !parser::is_ini(word) && fs::exists(word, error)) {
+    if (parser::is_scene_word(word) && fs::exists(word, error)) {
       m_out.inputs.emplace_back(word);
     } else if (is_switch || word.find('=') != std::string::npos) {
       m_out.for_lentray.push_back(with_whole_path(word, is_switch));
