@@ -29,6 +29,7 @@
 #include "tools/lentray/message_form.h"
 #include "tools/lentray/picture_run.h"
 #include "tools/lentray/run.h"
+#include "tools/lentray/run_sandbox.h"
 #include "tools/lentray/stock_form.h"
 #include "tools/lentray/text_streams.h"
 #include "tools/lentray/warnings.h"
@@ -161,6 +162,8 @@ int run_main(int argc, char** argv) {
     return tool::kDone;
   });
   if (status != tool::kDone || is_over) return status;
+  if (const std::string lack = tool::enter_sandbox(options); !lack.empty())
+    options.warnings.push_back(lack);
   tool::RunGuard guard([&out] { out.texts->keep_at_end(); });
   if (tool::renders(options)) out.form->begin_run();
   status = render(options, guard, out);
