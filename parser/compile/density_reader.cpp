@@ -1,13 +1,14 @@
 #include "parser/compile/density_reader.h"
 
 #include <filesystem>
-#include <fstream>
-#include <iterator>
+#include <optional>
 #include <stdexcept>
+#include <string>
+#include <string_view>
 #include <system_error>
-#include <vector>
 
 #include "core/base/memory_limit.h"
+#include "parser/files/opened_file.h"
 
 namespace lentray::parser {
 namespace {
@@ -15,9 +16,10 @@ namespace {
 constexpr std::size_t kHeader = 6;
 
 /// A whole number of so many bytes.
-double number_at(const std::vector<unsigned char>& bytes, std::size_t from, std::size_t count) {
+double number_at(std::string_view bytes, std::size_t from, std::size_t count) {
   double number = 0.0;
-  for (std::size_t i = 0; i < count; ++i) number = number * 256.0 + bytes[from + i];
+  for (std::size_t i = 0; i < count; ++i)
+    number = number * 256.0 + static_cast<unsigned char>(bytes[from + i]);
   return number;
 }
 
@@ -26,11 +28,11 @@ double number_at(const std::vector<unsigned char>& bytes, std::size_t from, std:
 std::shared_ptr<const core::DensityGrid> read_density_file(const FoundFile& found) {
   std::error_code error;
   core::check_room(2.0 * static_cast<double>(std::filesystem::file_size(found.handle, error)));
-  std::ifstream file(found.handle, std::ios::binary);
-  const std::vector<unsigned char> bytes{std::istreambuf_iterator<char>(file), {}};
-  if (!file || bytes.size() < kHeader) {
+  const std::optional<std::string> read = read_held(found);
+  if (!read || read->size() < kHeader) {
     throw std::runtime_error("cannot read the density file \"" + found.path + "\"");
   }
+  const std::string& bytes = *read;
   auto grid = std::make_shared<core::DensityGrid>();
   std::size_t voxels = 1;
   for (std::size_t axis = 0; axis < 3; ++axis) {

@@ -41,7 +41,7 @@ class Files {
   virtual std::optional<std::string> find_loosely(const std::string& folder,
                                                   const std::string& name) const;
   virtual std::optional<std::string> read(const std::string& path) const = 0;
-  /// The scene itself, which the user named: no rule is asked.
+  /// The scene itself, which the user named: it may come through a pipe.
   virtual std::optional<std::string> read_scene(const std::string& path) const {
     return read(path);
   }

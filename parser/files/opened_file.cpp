@@ -93,6 +93,11 @@ std::optional<std::string> read_all(const Descriptor& file) {
   }
 }
 
+std::optional<std::string> read_held(const FoundFile& found) {
+  const Descriptor file(::open(found.handle.c_str(), O_RDONLY | O_CLOEXEC | O_NOCTTY));
+  return file ? read_all(file) : std::nullopt;
+}
+
 std::unique_ptr<FileWriter> make_writer(Descriptor file) {
   std::FILE* stream = file ? ::fdopen(file.number(), "w") : nullptr;
   if (!stream) return nullptr;

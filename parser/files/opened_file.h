@@ -44,6 +44,8 @@ struct stat status_of(const Descriptor& held);
 /// "a pipe", "a device", "a socket", "a folder"; empty for a plain file.
 std::string special_kind(const struct stat& status);
 std::optional<std::string> read_all(const Descriptor& file);
+/// What a file holds that hold() of the scene's files gave.
+std::optional<std::string> read_held(const FoundFile& found);
 std::unique_ptr<FileWriter> make_writer(Descriptor file);
 
 }  // namespace lentray::parser

@@ -1,13 +1,12 @@
 #include "parser/grammar/global.h"
 
 #include <algorithm>
-#include <fstream>
-#include <iterator>
 #include <memory>
 #include <string>
 
 #include "core/photon/photon_file.h"
 #include "parser/base/shown.h"
+#include "parser/files/opened_file.h"
 #include "parser/grammar/helpers.h"
 
 namespace lentray::parser {
@@ -194,8 +193,7 @@ std::shared_ptr<const core::PhotonMaps> load_photons(Parser& parser, const std::
                                                      const Location& where) {
   const auto found = parser.find_to_open(name, where);
   if (!found) parser.fail_at(where, "cannot find the photon file '" + shown_name(name) + "'");
-  std::ifstream file(found->handle, std::ios::binary);
-  const std::string bytes{std::istreambuf_iterator<char>(file), {}};
+  const std::string bytes = read_held(*found).value_or("");
   try {
     return std::make_shared<const core::PhotonMaps>(core::read_photon_file(bytes));
   } catch (const core::BadPhotonFile& bad) {

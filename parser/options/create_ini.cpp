@@ -21,7 +21,9 @@ std::string lines(const RenderOptions& o, Use... uses) {
 
 using enum OptionUse;
 
-std::string ini_text(const RenderOptions& o) { return lines(o, kRun, kFile, kPicture, kLight); }
+std::string ini_text(const RenderOptions& o) {
+  return lines(o, kRun, kWay, kFile, kPicture, kLight);
+}
 std::string light_lines(const RenderOptions& o) { return lines(o, kLight); }
 std::string picture_lines(const RenderOptions& o) { return lines(o, kPicture, kLight); }
 std::string file_lines(const RenderOptions& o) { return lines(o, kFile); }

@@ -58,12 +58,8 @@ void append_file(const std::string& path, std::vector<LensProfile>& out) {
 std::vector<std::string> all_files(const RenderOptions& o, std::span<const std::string> files) {
   std::vector<std::string> out;
   if (!o.restrict_io) out.emplace_back(kLensSheetFile);
-  for (const std::string& folder : o.library_paths) {
-    const bool is_strangers = std::ranges::any_of(
-        o.scene_words, [&](const SceneWord& word) { return word.value == folder; });
-    if (o.restrict_io && is_strangers) continue;
+  for (const std::string& folder : o.restrict_io ? o.users_libraries : o.library_paths)
     out.push_back((fs::path(folder) / kLensSheetFile).string());
-  }
   out.insert(out.end(), files.begin(), files.end());
   return out;
 }

@@ -12,7 +12,6 @@
 #include "parser/options/lens_sheets.h"
 #include "parser/options/options_table.h"
 #include "parser/options/said_options.h"
-#include "parser/options/scene_words.h"
 #include "parser/options/sheet_size.h"
 #include "parser/options/view_options_reader.h"
 
@@ -36,22 +35,14 @@ std::string_view near_option(std::string_view name) {
   return near_name(name, names);
 }
 
-/// What an INI file of the scene's names is remembered, to be judged when all is known.
-template <class Work>
-void watched(RenderOptions& options, const GivenOption& given, const Work& work) {
-  if (!given.from_scene) return work();
-  const FileNames before = file_names(options);
-  work();
-  add_scene_words(options, before, given.where + "option " + given.shown);
-}
-
 class OptionsReader {
  public:
-  /// `restricted`: by the user's own words.
-  OptionsReader(RenderOptions& options, bool restricted)
-      : m_options(options), m_restricted(restricted) {}
+  /// `users`: what the user's own words say; null: these are read, and INI files of scenes are not.
+  OptionsReader(RenderOptions& options, const RenderOptions* users)
+      : m_options(options), m_users(users) {}
 
   void scene_file(const std::string& path) {
+    if (m_users == nullptr) return;
     GivenOption given;
     given.from_scene = true;
     m_options.scene_ini_folder = fs::path(path).parent_path().string();
@@ -141,27 +132,45 @@ class OptionsReader {
 
  private:
   void apply(const OptionRow& row, const GivenOption& given) {
-    watched(m_options, given, [&] { row.access.apply(m_options, given); });
-    if (row.name.empty()) return;
+    if (given.from_scene && row.use == OptionUse::kRun) return leave_out(row.name, given);
+    row.access.apply(m_options, given);
+    say(row.name, given);
+  }
+
+  void say(std::string_view option, const GivenOption& given) {
+    if (option.empty()) return;
     std::string where = given.where;
     if (where.ends_with(": ")) where.resize(where.size() - 2);
-    m_options.said[std::string(row.name)] = {given.shown, where};
+    m_options.said[std::string(option)] = {given.shown, where};
   }
 
   void name_scene(const std::string& name, const GivenOption& given) {
-    watched(m_options, given, [&] { m_options.input = name; });
+    if (given.from_scene) return leave_out("Input_File_Name", given);
+    m_options.input = name;
+    say("Input_File_Name", given);
   }
 
-  /// An INI file that came with a scene, and what it includes, lie where it came from: what they say gets into
-  /// messages.
+  /// What the user says himself nobody misses.
+  void leave_out(std::string_view option, const GivenOption& given) {
+    if (m_users->said.contains(option)) return;
+    m_options.warnings.push_back(given.where + "option " + given.shown +
+                                 ": left out: an INI file that came with a scene says what the "
+                                 "picture is like, not what is read, written and run");
+  }
+
+  /// What an INI file that came with a scene says, and what it includes, gets into messages.
   void check_scenes_ini(const std::string& path, const GivenOption& given) const {
-    if (!m_restricted) return;
+    if (!m_users->restrict_io) return;
     std::error_code error;
-    const std::string& name = m_options.scene_ini_folder;
-    const fs::path folder = fs::canonical(name.empty() ? "." : name, error);
     const fs::path place = fs::canonical(path, error);
-    const auto [end, at] = std::mismatch(folder.begin(), folder.end(), place.begin(), place.end());
-    if (!error && end == folder.end()) return;
+    std::vector<std::string> folders = m_users->permitted_paths;
+    folders.push_back(m_options.scene_ini_folder.empty() ? "." : m_options.scene_ini_folder);
+    const auto holds = [&](const std::string& name) {
+      std::error_code no_folder;
+      const fs::path folder = fs::canonical(name, no_folder);
+      return !no_folder && std::ranges::mismatch(folder, place).in1 == folder.end();
+    };
+    if (!error && std::ranges::any_of(folders, holds)) return;
     throw OptionError(given.where + "Restrict_IO: the INI file '" + shown_name(path) +
                       "' is refused: an INI file that came with a scene, and what it includes, lie "
                       "in its folder");
@@ -186,7 +195,7 @@ class OptionsReader {
   }
 
   RenderOptions& m_options;
-  const bool m_restricted;
+  const RenderOptions* const m_users;
 };
 
 /// The file that `--name FILE` or `--name=FILE` gives.
@@ -245,7 +254,7 @@ bool is_scene_name(const std::string& text, std::size_t equals) {
   const std::string_view name = std::string_view(text).substr(0, equals);
   const bool is_option = std::ranges::any_of(
       option_table(), [&](const OptionRow& row) { return same_word(row.name, name); });
-  return !is_option && (ends_with(text, ".pov") || is_file(text));
+  return !is_option && (ends_with(text, ".pov") || fs::exists(text, core::ignored_error()));
 }
 
 /// Of types whose names choose them: TIFF, which stock has not, and OpenEXR. Empty: none.
@@ -259,6 +268,12 @@ std::string_view choosing_extension(std::string_view name, core::FileType& type)
 }
 
 }  // namespace
+
+bool is_scene_word(const std::string& word) {
+  std::size_t equals = 0;
+  return !is_switch(word) && !is_ini(word) &&
+         (!looks_like_option(word, equals) || is_scene_name(word, equals));
+}
 
 OptionSources installed_sources() {
   OptionSources sources;
@@ -293,13 +308,11 @@ bool is_scene_ini(const std::string& text) {
   return text == kSceneIni || text.starts_with(std::string(kSceneIni) + "=");
 }
 
-/// Whose words are read, and what is known of the user's by then.
-enum class Words { kUsers, kAll, kAllRestricted };
-
+/// `users`: null: the user's own words alone.
 RenderOptions read_words(const std::string& default_ini, std::span<const std::string> arguments,
-                         Words whose) {
+                         const RenderOptions* users) {
   RenderOptions options;
-  OptionsReader reader(options, whose == Words::kAllRestricted);
+  OptionsReader reader(options, users);
   if (!default_ini.empty()) {
     GivenOption given;
     given.from_defaults = true;
@@ -312,8 +325,7 @@ RenderOptions read_words(const std::string& default_ini, std::span<const std::st
     std::size_t equals = 0;
     if (text.empty()) continue;
     if (is_scene_ini(text)) {
-      const std::string file = file_of(arguments, at, kSceneIni);
-      if (whose != Words::kUsers) reader.scene_file(file);
+      reader.scene_file(file_of(arguments, at, kSceneIni));
     } else if (arguments.size() == 1 && (text == "+H" || text == "+h" || text == "-h")) {
       options.help = true;
     } else if (long_option(arguments, at, options)) {
@@ -330,9 +342,8 @@ RenderOptions read_words(const std::string& default_ini, std::span<const std::st
   return options;
 }
 
-RenderOptions read_with(const std::string& default_ini, std::span<const std::string> arguments,
-                        const OptionSources& sources, Words whose) {
-  RenderOptions options = read_words(default_ini, arguments, whose);
+/// What options mean together.
+void settle_all(RenderOptions& options) {
   const bool has_grey = options.type == core::FileType::png ||
                         options.type == core::FileType::ppm || options.type == core::FileType::tiff;
   if (options.grayscale && !has_grey) {
@@ -343,12 +354,13 @@ RenderOptions read_with(const std::string& default_ini, std::span<const std::str
     options.debug_console = options.warning_console = options.statistic_console =
         options.render_console = options.fatal_console = *options.all_console;
   }
-  for (const std::string& folder : sources.standard_libraries) {
+}
+
+void add_folders(std::vector<std::string>& to, std::span<const std::string> folders) {
+  for (const std::string& folder : folders) {
     if (!fs::is_directory(folder, core::ignored_error())) continue;
-    auto& known = options.library_paths;
-    if (std::ranges::find(known, folder) == known.end()) known.push_back(folder);
+    if (std::ranges::find(to, folder) == to.end()) to.push_back(folder);
   }
-  return options;
 }
 
 /// The first that exists.
@@ -357,23 +369,30 @@ std::string first_ini(std::span<const std::string> names) {
   return found == names.end() ? "" : *found;
 }
 
+/// What the run may read and write follows from the user's words. Those of the scene's INI file are read when they
+/// are known, and change nothing of that.
 RenderOptions read_all(std::span<const std::string> arguments, const OptionSources& sources) {
   const std::vector<std::string>& inis = sources.default_ini_files;
-  const std::string ini = first_ini(inis);
-  // What the user restricted, before or behind, holds for all that the scene's own INI file says.
-  const bool restricted = std::ranges::any_of(arguments, is_scene_ini) &&
-                          read_words(ini, arguments, Words::kUsers).restrict_io;
+  std::string ini = first_ini(inis);
+  RenderOptions users = read_words(ini, arguments, nullptr);
+  const bool is_folders = users.restrict_io && ini == kFolderIni;
+  if (is_folders) {
+    // It may have come with the scene, and could name folders, files and commands.
+    ini = first_ini({std::ranges::find(inis, kFolderIni) + 1, inis.end()});
+    users = read_words(ini, arguments, nullptr);
+    users.restrict_io = true;
+  }
   RenderOptions options =
-      read_with(ini, arguments, sources, restricted ? Words::kAllRestricted : Words::kAll);
-  if (restricted) options.restrict_io = true;
-  if (!options.restrict_io || ini != kFolderIni) return options;
-  // It may have come with the scene, and could name folders, files and commands.
-  const auto folders = std::ranges::find(inis, kFolderIni);
-  options =
-      read_with(first_ini({folders + 1, inis.end()}), arguments, sources, Words::kAllRestricted);
-  options.restrict_io = true;
-  options.warnings.emplace_back(
-      "Restrict_IO=On: the current folder's povray.ini is not read; name it to have it read");
+      std::ranges::any_of(arguments, is_scene_ini) ? read_words(ini, arguments, &users) : users;
+  options.restrict_io = users.restrict_io;
+  options.users_libraries = users.library_paths;
+  if (is_folders) {
+    options.warnings.emplace_back(
+        "Restrict_IO=On: the current folder's povray.ini is not read; name it to have it read");
+  }
+  settle_all(options);
+  add_folders(options.library_paths, sources.standard_libraries);
+  add_folders(options.users_libraries, sources.standard_libraries);
   return options;
 }
 

@@ -21,7 +21,6 @@
 #include "parser/options/animation.h"
 #include "parser/options/ini.h"
 #include "parser/options/scene_overrides.h"
-#include "parser/options/scene_words.h"
 #include "parser/options/view_options.h"
 
 namespace lentray::parser {
@@ -93,8 +92,10 @@ struct RenderOptions {
   std::uint64_t radiosity_samples = 0;  ///< at most; 0: as the memory allows
 
   // Safety.
-  bool strict = false;                           ///< what a picture would lack is an error
-  bool restrict_io = false;                      ///< rules for what a scene reads and writes
+  bool strict = false;                       ///< what a picture would lack is an error
+  bool restrict_io = false;                  ///< rules for what a scene reads and writes
+  std::vector<std::string> permitted_paths;  ///< folders that a restricted scene may read besides
+  std::vector<std::string> users_libraries;  ///< library paths but for those of a scene's INI file
   std::array<ShellCommand, kCommands> commands;  ///< by CommandKind
 
   // Messages.
@@ -138,9 +139,8 @@ struct RenderOptions {
   bool parse_only = false, dump = false, explain = false, depth = false, help = false,
        help_all = false, version = false, list_lens_sheets = false;
 
-  std::string scene_ini_folder;        ///< of --scene-ini
-  std::vector<SceneWord> scene_words;  ///< the files that it named
-  std::vector<std::string> warnings;   ///< about the options themselves
+  std::string scene_ini_folder;       ///< of --scene-ini
+  std::vector<std::string> warnings;  ///< about the options themselves
   /// By their names, for messages: the last time that each was said.
   struct Said {
     std::string text;   ///< "Lens_Radius=0.1"
@@ -168,6 +168,10 @@ inline constexpr const char* kFolderIni = "povray.ini";
 /// POVINI, ./povray.ini, ~/.povray/3.7/povray.ini, /etc/povray/3.7/povray.ini; and where packages
 /// put POV-Ray's include files.
 OptionSources installed_sources();
+
+/// Whether a word of a command line names a scene, or another file: it is no switch, no INI file and no `Name=Value`.
+/// "a=b.pov" is a scene, as any file that is there, where no option is called a.
+bool is_scene_word(const std::string& word);
 
 /// argv without the program's name. A lens sheet's size has become columns and rows.
 RenderOptions read_options(std::span<const std::string> arguments, const OptionSources& sources);

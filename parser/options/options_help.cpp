@@ -260,6 +260,9 @@ constexpr OptionHelp kSafety[] = {
      "Where files that the scene writes are kept; in memory only the scene sees them (disk)."},
     {"Restrict_IO", kSwitch,
      "For strangers' scenes: files only where the rules of POV-Ray's manual permit (security.md)."},
+    {"Permitted_Path", "folder",
+     "With Restrict_IO=On a folder that scenes may read besides, instead of those of povray.conf. "
+     "More than one may be given."},
     {"Strict", kSwitch,
      "A scene that asks for what is not rendered yet is an error before anything is rendered, "
      "instead of a warning."},
@@ -273,8 +276,8 @@ constexpr OptionHelp kSafety[] = {
     {"--depth-view", "file", "The same, and draws it as SVG, seen from above."},
     {"--dump-rays", "file", "Writes every camera ray; renders nothing."},
     {"--scene-ini", "file",
-     "An INI file that came with the scene: with Restrict_IO=On it may name what the scene may "
-     "(security.md)."},
+     "An INI file that came with the scene: it says what the picture is like, and names no files, "
+     "folders and commands but library paths and headers (security.md)."},
     {"--lens-sheets", "", "Lists the lens sheets that there are, as Lens_Sheet=list does."},
     {"--help", "", "The usual options. --help=all: this text."},
     {"--version", "", "The program's version."},

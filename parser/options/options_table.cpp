@@ -101,12 +101,12 @@ void set_return(Options& o, const Given& g) {
   command.on_success = turned;
 }
 
-void add_library(Options& o, const Given& g) {
+/// Each folder once.
+template <std::vector<std::string> Options::*folders>
+void add_folder(Options& o, const Given& g) {
   if (g.value.empty() && g.sign == 0) return;
   if (g.value.empty()) refuse(g, "a folder is expected");
-  if (std::find(o.library_paths.begin(), o.library_paths.end(), g.value) == o.library_paths.end()) {
-    o.library_paths.push_back(g.value);
-  }
+  if (std::ranges::find(o.*folders, g.value) == (o.*folders).end()) (o.*folders).push_back(g.value);
 }
 
 void add_declare(Options& o, const Given& g) {
@@ -273,8 +273,9 @@ std::string text_of(const PixelSize& s) {
   return std::to_string(s.width) + "x" + std::to_string(s.height);
 }
 
-void write_libraries(const Options& o, std::string_view name, IniLines& out) {
-  for (const std::string& folder : o.library_paths) out.add(name, folder);
+template <std::vector<std::string> Options::*folders>
+void write_folders(const Options& o, std::string_view name, IniLines& out) {
+  for (const std::string& folder : o.*folders) out.add(name, folder);
 }
 void write_declares(const Options& o, std::string_view name, IniLines& out) {
   for (const auto& [identifier, value] : o.declares) {
@@ -334,6 +335,8 @@ void write_scene_writes(const Options& o, std::string_view name, IniLines& out) 
   out.line(name, o.writes_to_disk ? "disk" : "memory");
 }
 
+template <std::vector<std::string> Options::*folders>
+constexpr OptionAccess kFolders{add_folder<folders>, write_folders<folders>};
 template <bool Options::*console, std::string Options::*file>
 constexpr OptionAccess kConsole{set_console<console, file>, write_field<console>};
 template <std::string Options::*file, Word usual>
@@ -354,23 +357,23 @@ constexpr OptionRow kTable[] = {
     // Scene.
     {"Input_File_Name", "I", kText<&Options::input>},
     {"Include_Header", "HI", kText<&Options::include_header>, kLight},
-    {"Include_Ini", "", ignore},  // whoever reads names reads it at once
-    {"Library_Path", "L", {add_library, write_libraries}},
+    {"Include_Ini", "", ignore, kNothing},  // whoever reads names reads it at once
+    {"Library_Path", "L", kFolders<&Options::library_paths>, kWay},
     {"Declare", "", {add_declare, write_declares}, kLight},
     {"Version", "MV", {set_version, write_version}, kLight},
-    {"Clock", "K", {set_clock, write_clock}},
-    {"Initial_Frame", "KFI", kFrame<&AnimationOptions::initial_frame>},
-    {"Final_Frame", "KFF", kFrame<&AnimationOptions::final_frame>},
-    {"Initial_Clock", "KI", kClock<&AnimationOptions::initial_clock>},
-    {"Final_Clock", "KF", kClock<&AnimationOptions::final_clock>},
-    {"Subset_Start_Frame", "SF", kSubset<&AnimationOptions::subset_start>},
-    {"Subset_End_Frame", "EF", kSubset<&AnimationOptions::subset_end>},
-    {"Frame_Step", "STP", kCut<&AnimationOptions::step, 1, kMostFrames>},
-    {"Cyclic_Animation", "KC", kFlag<&AnimationOptions::cyclic>},
-    {"Clockless_Animation", "", only_off<"animation without a clock">},
-    {"Real_Time_Raytracing", "", only_off<"real-time raytracing">},
-    {"Field_Render", "UF", ignore},
-    {"Odd_Field", "UO", ignore},
+    {"Clock", "K", {set_clock, write_clock}, kWay},
+    {"Initial_Frame", "KFI", kFrame<&AnimationOptions::initial_frame>, kWay},
+    {"Final_Frame", "KFF", kFrame<&AnimationOptions::final_frame>, kWay},
+    {"Initial_Clock", "KI", kClock<&AnimationOptions::initial_clock>, kWay},
+    {"Final_Clock", "KF", kClock<&AnimationOptions::final_clock>, kWay},
+    {"Subset_Start_Frame", "SF", kSubset<&AnimationOptions::subset_start>, kWay},
+    {"Subset_End_Frame", "EF", kSubset<&AnimationOptions::subset_end>, kWay},
+    {"Frame_Step", "STP", kCut<&AnimationOptions::step, 1, kMostFrames>, kWay},
+    {"Cyclic_Animation", "KC", kFlag<&AnimationOptions::cyclic>, kWay},
+    {"Clockless_Animation", "", only_off<"animation without a clock">, kWay},
+    {"Real_Time_Raytracing", "", only_off<"real-time raytracing">, kWay},
+    {"Field_Render", "UF", ignore, kNothing},
+    {"Odd_Field", "UO", ignore, kNothing},
     // Picture.
     {"Width", "W", {set_width, write_width}, kPicture},
     {"Height", "H", {set_height, write_height}, kPicture},
@@ -385,7 +388,7 @@ constexpr OptionRow kTable[] = {
     {"Output_File_Name", "O", kText<&Options::output>},
     {"Output_Alpha", "UA", kFlag<&Options::alpha>, kLight},
     {"Bits_Per_Color", "", {output_option::bits, write_field<&Options::bits>}, kFile},
-    {"Bits_Per_Colour", "", output_option::bits},
+    {"Bits_Per_Colour", "", output_option::bits, kFile},
     {"Grayscale_Output", "", kFlag<&Options::grayscale>, kFile},
     {"Compression", "", kCut<&Options::compression, 0, 255, write_positive<&Options::compression>>,
      kFile},
@@ -426,35 +429,35 @@ constexpr OptionRow kTable[] = {
     {"Radiosity_To_File",
      "RFO",
      {set_radiosity_switch<&Options::radiosity_to_file>, write_field<&Options::radiosity_to_file>}},
-    {"Radiosity_Vain_Pretrace", "RVP", ignore},
-    {"High_Reproducibility", "HR", ignore},
-    // How stock works inside: no such things here, and no effect on the picture.
-    {"Display", "D", set_display},
-    {"Video_Mode", "", ignore},
-    {"Palette", "", ignore},
-    {"Pause_When_Done", "P", ignore},
-    {"Preview_Start_Size", "SP", ignore},
-    {"Preview_End_Size", "EP", ignore},
-    {"Draw_Vistas", "UD", ignore},
-    {"Test_Abort", "X", ignore},
-    {"Test_Abort_Count", "", ignore},
-    {"Buffer_Output", "B", ignore},
-    {"Buffer_Size", "", ignore},
-    {"Max_Image_Buffer_Memory", "MI", ignore},
-    {"Render_Block_Size", "BS", ignore},
-    {"Render_Pattern", "RP", ignore},
-    {"Render_Block_Step", "RS", ignore},
-    {"Bounding", "MB", ignore},
-    {"Bounding_Threshold", "", ignore},
-    {"Bounding_Method", "BM", ignore},
-    {"BSP_MaxDepth", "", ignore},
-    {"BSP_BaseAccessCost", "", ignore},
-    {"BSP_ChildAccessCost", "", ignore},
-    {"BSP_IsectCost", "", ignore},
-    {"BSP_MissChance", "", ignore},
-    {"Vista_Buffer", "UV", ignore},
-    {"Remove_Bounds", "UR", ignore},
-    {"Split_Unions", "SU", ignore},
+    {"Radiosity_Vain_Pretrace", "RVP", ignore, kNothing},
+    {"High_Reproducibility", "HR", ignore, kNothing},
+    // How stock works inside.
+    {"Display", "D", set_display, kNothing},
+    {"Video_Mode", "", ignore, kNothing},
+    {"Palette", "", ignore, kNothing},
+    {"Pause_When_Done", "P", ignore, kNothing},
+    {"Preview_Start_Size", "SP", ignore, kNothing},
+    {"Preview_End_Size", "EP", ignore, kNothing},
+    {"Draw_Vistas", "UD", ignore, kNothing},
+    {"Test_Abort", "X", ignore, kNothing},
+    {"Test_Abort_Count", "", ignore, kNothing},
+    {"Buffer_Output", "B", ignore, kNothing},
+    {"Buffer_Size", "", ignore, kNothing},
+    {"Max_Image_Buffer_Memory", "MI", ignore, kNothing},
+    {"Render_Block_Size", "BS", ignore, kNothing},
+    {"Render_Pattern", "RP", ignore, kNothing},
+    {"Render_Block_Step", "RS", ignore, kNothing},
+    {"Bounding", "MB", ignore, kNothing},
+    {"Bounding_Threshold", "", ignore, kNothing},
+    {"Bounding_Method", "BM", ignore, kNothing},
+    {"BSP_MaxDepth", "", ignore, kNothing},
+    {"BSP_BaseAccessCost", "", ignore, kNothing},
+    {"BSP_ChildAccessCost", "", ignore, kNothing},
+    {"BSP_IsectCost", "", ignore, kNothing},
+    {"BSP_MissChance", "", ignore, kNothing},
+    {"Vista_Buffer", "UV", ignore, kNothing},
+    {"Remove_Bounds", "UR", ignore, kNothing},
+    {"Split_Unions", "SU", ignore, kNothing},
     // Messages.
     {"Verbose", "V", kFlag<&Options::verbose>},
     {"Warning_Level", "WL", kCut<&Options::warning_level, 0, 10>},
@@ -486,10 +489,11 @@ constexpr OptionRow kTable[] = {
     {"User_Abort_Return", "", kReturn<CommandKind::kUserAbort>},
     {"Fatal_Error_Return", "", kReturn<CommandKind::kFatalError>},
     {"Restrict_IO", "", {set_restrict_io, write_field<&Options::restrict_io>}},
+    {"Permitted_Path", "", kFolders<&Options::permitted_paths>},
     {"Strict", "", kFlag<&Options::strict>},
     // Lentray's own.
     {"Lenticular", "", kFlag<&Options::lenticular>, kPicture},
-    {"Lens_Sheet", "", sheet_option::sheet},
+    {"Lens_Sheet", "", sheet_option::sheet, kPicture},
     {"Lens_Pitch", "", kLengthMm<&camera::LensRequest::pitch>, kPicture},
     {"Lens_LPI", "", kPositive<&camera::LensRequest::lpi>, kPicture},
     {"Print_LPI", "", kPositive<&camera::LensRequest::print_lpi>, kPicture},
@@ -530,14 +534,14 @@ constexpr OptionRow kTable[] = {
     {"View_Size", "", {set_view_size, write_view_size}, kPicture},
     {"View_Clock", "", {set_view_clock, write_view_clock}, kPicture},
     {"Quilt", "", {set_quilt, write_quilt}, kPicture},
-    {"Quilt_Tile", "", set_view_size},
+    {"Quilt_Tile", "", set_view_size, kPicture},
     {"Quilt_Aspect", "", kPositive<&ViewOptions::aspect>, kPicture},
     {"View_Cone", "", {set_view_cone, write_field<&ViewOptions::cone>}, kPicture},
     {"View_Cameras", "", kText<&Options::view_cameras>},
     {"Shadow_Log", "", kFlag<&Options::shadow_log>},
-    {"Pixel_Order", "", {set_order, write_word<&Options::pixel_order>}},
-    {"Shadow_Cache", "", {set_cache, write_word<&Options::shadow_cache>}},
-    {"Accelerator", "", {set_accelerator, write_word<&Options::accelerator>}},
+    {"Pixel_Order", "", {set_order, write_word<&Options::pixel_order>}, kWay},
+    {"Shadow_Cache", "", {set_cache, write_word<&Options::shadow_cache>}, kWay},
+    {"Accelerator", "", {set_accelerator, write_word<&Options::accelerator>}, kWay},
     {"Area_Light_Samples", "", kWhole<&SceneOverrides::area_light_samples, 2, 1000>, kLight},
     {"Area_Light_Adaptive", "", {set_area_adaptive, write_area_adaptive}, kLight},
     {"Blur_Samples", "", kWhole<&SceneOverrides::blur_samples, 1, 65536>, kPicture},
@@ -564,8 +568,8 @@ constexpr OptionRow kTable[] = {
     {"Radiosity_Samples", "",
      kWhole<&Options::radiosity_samples, 1, std::numeric_limits<std::int32_t>::max(),
             write_positive<&Options::radiosity_samples>>},
-    {"Specialised_Paths", "", kFlag<&Options::specialised_paths>},
-    {"Light_Buffer", "UL", kFlag<&Options::light_buffer>},
+    {"Specialised_Paths", "", kFlag<&Options::specialised_paths>, kWay},
+    {"Light_Buffer", "UL", kFlag<&Options::light_buffer>, kWay},
     {"Max_Memory", "", {set_memory, write_positive<&Options::max_memory>}},
     {"Max_Time", "", {set_time, write_positive<&Options::max_time>}},
     {"Band_Height", "",

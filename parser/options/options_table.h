@@ -54,9 +54,11 @@ struct OptionAccess {
       : apply(apply_), write(write_) {}
 };
 
-/// What an option decides.
+/// What an option decides. An INI file that came with a scene says all but kRun.
 enum class OptionUse : std::uint8_t {
-  kRun,      ///< what is done, and how
+  kRun,      ///< what is read, written and run, messages and limits: the user's to say
+  kWay,      ///< frames, where the scene's files are looked for, the way to the same colours
+  kNothing,  ///< how stock works inside: no such things here, and no effect on the picture
   kFile,     ///< how the picture's file holds it
   kPicture,  ///< the colours of pixels
   kLight     ///< what light there is, wherever it is seen from

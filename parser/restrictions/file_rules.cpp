@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "core/base/lower_case.h"
+
 namespace lentray::parser {
 namespace {
 
@@ -20,9 +22,22 @@ void add_folder(std::vector<fs::path>& folders, const std::string& folder) {
   if (!error) folders.push_back(std::move(real));
 }
 
-/// What begins with a dot, or configures this program, could change what later runs do.
+/// No link is on the way to it from the current folder.
+bool is_where_it_says(const std::string& folder) {
+  if (fs::path(folder).is_absolute()) return true;
+  std::error_code error;
+  fs::path said = (fs::canonical(".", error) / folder).lexically_normal();
+  if (!said.has_filename()) said = said.parent_path();
+  return fs::canonical(folder, error) == said;
+}
+
+/// What later runs or other programs obey: INI files, journals, radiosity, a batch's and a chart's rows, povray.conf,
+/// and what begins with a dot.
 bool is_own_name(const std::string& name) {
-  return name.starts_with('.') || name == "povray.ini" || name == "povray.conf";
+  const std::string low = core::lower_case(name);
+  const auto ends = [&low](std::string_view end) { return low.ends_with(end); };
+  return low.starts_with('.') || low == "povray.conf" || low == "manifest.jsonl" ||
+         low == "state.json" || low.find(".lentray-") != low.npos || ends(".ini") || ends(".rca");
 }
 
 bool has_own_name(const fs::path& place, const fs::path& folder) {
@@ -32,7 +47,8 @@ bool has_own_name(const fs::path& place, const fs::path& folder) {
 }
 
 constexpr const char* kOwnNames =
-    "a scene does not write povray.ini, povray.conf and names that begin with a dot";
+    "a scene does not write what later runs obey: INI files, povray.conf, journals, radiosity, "
+    "manifests, names that begin with a dot";
 
 /// Debian's include folder has links to fonts.
 void add_links(std::vector<fs::path>& files, const std::string& folder) {
@@ -49,7 +65,9 @@ void add_links(std::vector<fs::path>& files, const std::string& folder) {
 FileRules::FileRules(const UsersFolders& folders, std::vector<PovrayConf> confs) {
   add_folder(m_reading, folders.scene);
   add_folder(m_reading, ".");
-  for (const std::string& library : folders.libraries) add_folder(m_reading, library);
+  for (const std::string& library : folders.libraries) {
+    if (is_where_it_says(library)) add_folder(m_reading, library);
+  }
   for (const std::string& installed : folders.installed) {
     add_folder(m_reading, installed);
     add_links(m_installed, installed);
@@ -100,6 +118,26 @@ std::string FileRules::against_writing(const fs::path& place) const {
   }
   if (conf_permits(place, true)) return is_own_name(place.filename().string()) ? kOwnNames : "";
   return "a scene writes only below the current folder and the output's folder" + conf_names();
+}
+
+std::vector<fs::path> FileRules::readable() const {
+  std::vector<fs::path> out = m_reading;
+  out.insert(out.end(), m_installed.begin(), m_installed.end());
+  for (const PovrayConf& conf : m_confs) {
+    if (conf.files == PovrayConf::FileSecurity::kReadOnly) out.emplace_back("/");
+    for (const PermittedPath& path : conf.permitted) out.emplace_back(path.folder);
+  }
+  return out;
+}
+
+std::vector<fs::path> FileRules::writable() const {
+  std::vector<fs::path> out = m_writing;
+  for (const PovrayConf& conf : m_confs) {
+    for (const PermittedPath& path : conf.permitted) {
+      if (path.writing) out.emplace_back(path.folder);
+    }
+  }
+  return out;
 }
 
 }  // namespace lentray::parser

@@ -1,9 +1,10 @@
 #!/usr/bin/env python3
-"""INI files that came with strangers' scenes, against Restrict_IO=On.    strangers.py --bin BUILD/bin
+"""Strangers' scenes and their INI files, folders and links, against Restrict_IO=On.    strangers.py --bin BUILD/bin
 
-Each attack is an INI file beside a scene, rendered by lentray-batch and by lentray --scene-ini. No file outside
-changes, none outside is read, no command runs; a refusal tells the line of the INI file. What the rules permit is
-rendered. The folder is not below /tmp, where Debian's povray.conf lets scenes write.
+Each attack is an INI file beside a scene, rendered by lentray-batch, which restricts unless it is told otherwise, and
+by lentray --scene-ini. No file outside changes, none outside is read, no command runs. What is the user's to say is
+left out, with its line, and the picture is made; what would be read is refused. What the rules permit is rendered. The
+folder is not below /tmp, where Debian's povray.conf lets scenes write.
 """
 import json
 import os
@@ -70,7 +71,7 @@ COMMANDS = [f"{name}_Command=touch ../victim/touched" for name in (
     "Pre_Scene", "Pre_Frame", "Post_Frame", "Post_Scene", "User_Abort", "Fatal_Error")]
 # Only of lentray: the batch decides them itself.
 LENTRAYS = ["Output_File_Name=../victim/rc", "+O../victim/rc.png", "Statistics_File=../victim/rc", "Dependencies_File=../victim/rc",
-            "Input_File_Name=../victim/a.pov", "+I../victim/a.pov", "../victim/a.pov", "Output_File_Name=folder/",
+            "Output_File_Name=folder/",
             "Create_Ini=On\nDependencies_File=link", "Statistics_File=dangling"]
 
 
@@ -84,7 +85,7 @@ def links(world):
     (strangers / "more.ini").write_text("Debug_File=../victim/rc\n")
 
 
-def attempt(place, binaries, ini, scene, by_lentray):
+def attempt(place, binaries, ini, scene, by_lentray, refused):
     with tempfile.TemporaryDirectory(dir=place) as root:
         world = World(root, binaries)
         links(world)
@@ -94,58 +95,136 @@ def attempt(place, binaries, ini, scene, by_lentray):
             # The user's word may stand before or behind.
             for words in (["Restrict_IO=On", "--scene-ini", "a.ini"], ["--scene-ini=a.ini", "Restrict_IO=On"]):
                 status, said = world.run("lentray", "+Ia.pov", "+W8", "+H6", "-V", *words, cwd="strangers")
-                expect(status == 1, ini, words, "status", status, said)
-                expect("a.ini" in said or "more.ini" in said or "a.pov:" in said, ini, words, "has no place:", said)
+                expect(status == (1 if refused else 0), ini, words, "status", status, said)
+                expect("a.ini" in said or "more.ini" in said or "a.pov:" in said or "H" in ini.split("=")[0], ini, words, "has no place:", said)
+                expect(refused or ": left out:" in said, ini, words, "is not told:", said)
                 expect("SECRET" not in said, ini, words, "tells what is outside:", said)
         else:
-            row, said = world.batch("Restrict_IO=On")
+            row, said = world.batch()
             told = " ".join(row.get("messages", [])) + row.get("reason", "") + said
-            expect(row["state"] == "failed", ini, "state", row["state"], told)
+            expect(row["state"] == ("failed" if refused else "done"), ini, "state", row["state"], told)
             expect("SECRET" not in told, ini, "tells what is outside:", told)
-            expect("Restrict_IO" in told, ini, "does not tell why:", told)
+            expect(("Restrict_IO" if refused else ": left out:") in told, ini, "does not tell why:", told)
         expect(world.outside() == world.before, ini, "lentray" if by_lentray else "batch", "changed", {
             k: v for k, v in world.outside().items() if world.before.get(k) != v})
 
 
 def attacks(place, binaries):
     debugs = SCENE + '#debug "alias ls=evil\\n"\n#warning "x"\n'
-    for ini in WRITES:
-        for by_lentray in (False, True):
-            attempt(place, binaries, ini, debugs, by_lentray)
-    for ini in READS:
-        scene = SCENE + ("" if "H" in ini.split("=")[0] else '#include "a.inc"\n#error "it was read"\n')
-        for by_lentray in (False, True):
-            attempt(place, binaries, ini, scene, by_lentray)
-    for ini in INIS + COMMANDS:
-        for by_lentray in (False, True):
-            attempt(place, binaries, ini, SCENE, by_lentray)
+    for by_lentray in (False, True):
+        for ini in WRITES + COMMANDS:
+            attempt(place, binaries, ini, debugs, by_lentray, False)
+        for ini in READS:
+            scene = SCENE + ("" if "H" in ini.split("=")[0] else '#include "a.inc"\n#error "it was read"\n')
+            attempt(place, binaries, ini, scene, by_lentray, True)
+        for ini in INIS:
+            attempt(place, binaries, ini, SCENE, by_lentray, True)
     for ini in LENTRAYS:
-        attempt(place, binaries, ini, SCENE, True)
+        attempt(place, binaries, ini, SCENE, True, False)
 
 
 def permitted(place, binaries):
-    """Harmless INI files are as before, and what a scene may write is written."""
+    """Harmless INI files are as before; what the batch says itself needs no warning."""
     for ini in ("Width=9", "Output_File_Name=a.png", "Input_File_Name=a.pov\nOutput_File_Name=/nowhere/a.png", "Library_Path=sub",
-                "Include_Ini=sub/more.ini", "sub/more.ini", "Debug_File=debug.txt", "Restrict_IO=On", "Include_Header=sub/h.inc",
-                "Restrict_IO=Off", "Statistics_File=../victim/s.json", "+GD"):
+                "Input_File_Name=../victim/a.pov", "+I../victim/a.pov", "../victim/a.pov",
+                "Include_Ini=sub/more.ini", "sub/more.ini", "Restrict_IO=On", "Include_Header=sub/h.inc",
+                "Restrict_IO=Off", "Statistics_File=../victim/s.json", "Display=On\nVerbose=On"):
         with tempfile.TemporaryDirectory(dir=place) as root:
             world = World(root, binaries)
             (world.root / "strangers/sub/more.ini").write_text("Antialias=On\n")
             (world.root / "strangers/sub/h.inc").write_text("#declare H = 1;\n")
             world.put(ini, SCENE + '#debug "said\\n"\n')
-            row, said = world.batch("Restrict_IO=On")
-            expect(row["state"] == "done", ini, row, said)
+            row, said = world.batch()
+            told = " ".join(row.get("messages", [])) + said
+            expect(row["state"] == "done" and ": left out:" not in told, ini, row, said)
             expect(world.outside() == world.before, ini, "something changed")
-            expect(not (world.root / "strangers/debug.txt").exists(), ini, "the folders of scenes are never changed")
     with tempfile.TemporaryDirectory(dir=place) as root:
         world = World(root, binaries)
-        world.put("Debug_File=debug.txt", SCENE + '#debug "said\\n"\n')
-        status, said = world.run("lentray", "Restrict_IO=On", "+Ia.pov", "+W8", "+H6", "-V", "--scene-ini", "a.ini", cwd="strangers")
-        expect(status == 0 and (world.root / "strangers/debug.txt").read_text() == "said\n", "a permitted file", status, said)
         # The user's own words are the user's.
+        world.put("", SCENE + '#debug "said\\n"\n')
         (world.root / "work/mine.ini").write_text("Debug_File=../victim/mine\n")
         status, said = world.run("lentray", "mine.ini", "Restrict_IO=On", "+I../strangers/a.pov", "+W8", "+H6", "-V")
         expect(status == 0 and (world.root / "victim/mine").read_text() == "said\n", "the user's own file", status, said)
+
+
+def folders(place, binaries):
+    """What a batch lets its scenes read: its inputs, library and permitted paths; all with Restrict_IO=Off."""
+    outside = SCENE + '#include "../victim/plain.inc"\n'
+    cases = [(outside, [], "failed"), (outside, ["off.ini"], "failed"), (outside, ["Restrict_IO=Off"], "done"),
+             (outside, ["Permitted_Path=../victim"], "done"), (outside, ["+L../victim"], "done"), (outside, ["permits.ini"], "done"),
+             (outside, ["Restrict_IO=Off", "Restrict_IO=On"], "failed"), (outside, ["Restrict_IO=Off", "on.ini"], "failed")]
+    for scene, words, state in cases:
+        with tempfile.TemporaryDirectory(dir=place) as root:
+            world = World(root, binaries)
+            (world.root / "victim/plain.inc").write_text("#declare P = 1;\n")
+            # What Debian's povray.conf permits is no concern of a batch's.
+            (world.root / "home/.povray/3.7/povray.conf").write_text("[File I/O Security]\nread-only\n")
+            for name, text in (("off", "Restrict_IO=Off"), ("on", "Restrict_IO=On"), ("permits", "Permitted_Path=../victim")):
+                (world.root / f"work/{name}.ini").write_text(text + "\n")
+            world.put("", scene)
+            row, said = world.batch(*words)
+            expect(row["state"] == state, words, row.get("reason"), said)
+    with tempfile.TemporaryDirectory(dir=place) as root:
+        world = World(root, binaries)
+        world.put("Include_Ini=../common.ini\n", SCENE + '#include "common.inc"\n#include "../common.inc"\n')
+        for name in ("a.pov", "a.ini"):
+            (world.root / "strangers" / name).rename(world.root / "strangers/sub" / name)
+        (world.root / "strangers/common.inc").write_text("#declare C = 1;\n")
+        (world.root / "strangers/common.ini").write_text("Antialias=On\n")
+        (world.root / "strangers/sub/common.inc").write_text("#declare D = 1;\n")
+        row, said = world.batch()
+        expect(row["state"] == "done", "a file beside the scene's folder, of the same input", row, said)
+        status, said = world.run("lentray-batch", "../strangers/sub/a.pov", "--out", "alone", "+W8", "+H6")
+        expect(status == 1 and "Restrict_IO=On: scenes read" in said and "is refused" in said, "a scene named alone", status, said)
+
+
+def links_of_folders(place, binaries):
+    """Links that came with scenes: of scenes, of folders of libraries, of places of pictures."""
+    with tempfile.TemporaryDirectory(dir=place) as root:
+        world = World(root, binaries)
+        world.put("")
+        (world.root / "victim/secret.pov").write_text(SCENE + '#error "SECRET"\n')
+        (world.root / "strangers/b.pov").symlink_to("../victim/secret.pov")
+        (world.root / "strangers/sub/c.pov").symlink_to("../a.pov")
+        status, said = world.run("lentray-batch", "../strangers", "--out", "out", "+W8", "+H6", "--quiet")
+        rows = [json.loads(line) for line in (world.root / "work/out/manifest.jsonl").read_text().splitlines()]
+        expect(status == 0 and sorted(r["name"] for r in rows) == ["a", "sub/c"] and "SECRET" not in said, "links of scenes", said)
+        expect("leads out of" in said, "a link that is left out", said)
+        status, said = world.run("lentray", "Restrict_IO=On", "+Ib.pov", "-V", "-F", cwd="strangers")
+        expect(status == 1 and "is refused" in said and "SECRET" not in said, "a scene that is a link", status, said)
+    with tempfile.TemporaryDirectory(dir=place) as root:
+        world = World(root, binaries)
+        world.put("", SCENE + '#include "a.inc"\n#error "it was read"\n')
+        (world.root / "strangers/lib").symlink_to("../victim")
+        status, said = world.run("lentray", "Restrict_IO=On", "+Llib", "+Ia.pov", "-V", "-F", cwd="strangers")
+        expect(status == 1 and "is refused" in said, "a library path that is a link of the scene's folder", status, said)
+        (world.root / "work/mine.ini").write_text("Library_Path=lib\n")
+        row, said = world.batch("mine.ini")
+        expect(row["state"] == "failed" and "is refused" in row["reason"] + " ".join(row["messages"]), "a batch's library", row)
+    for name in ("a.png", "manifest.jsonl", "index.html", ".lentray-batch/lock", ".lentray-batch/runs/x"):
+        with tempfile.TemporaryDirectory(dir=place) as root:
+            world = World(root, binaries)
+            world.put("")
+            link = world.root / "strangers/out" / name
+            link.parent.mkdir(parents=True)
+            link.symlink_to(world.root / "victim/rc")
+            status, said = world.run("lentray-batch", "../strangers", "--out", "../strangers/out", "+W8", "+H6", "--quiet")
+            expect(status == 2 and "holds a link" in said, name, status, said)
+            expect(world.outside() == world.before, name, "changed")
+
+
+def photons(place, binaries):
+    """A batch leaves folders of scenes as they are, save_file or not."""
+    with tempfile.TemporaryDirectory(dir=place) as root:
+        world = World(root, binaries)
+        world.put("", SCENE.replace("sphere{0,1}", "sphere{0,1 pigment{rgbt 1} interior{ior 1.5} photons{target refraction on}}"
+                                    "plane{y,-2 pigment{rgb 1}}") + 'global_settings{photons{count 500 save_file "a.ph"}}\n')
+        for words in ([], ["Restrict_IO=Off"]):
+            row, said = world.batch("--retry", *words)
+            expect(row["state"] == "done" and "photons are not saved" in " ".join(row["messages"]), row, said)
+            expect(not (world.root / "strangers/a.ph").exists(), "photons were saved", words)
+        status, said = world.run("lentray", "Restrict_IO=On", "+Ia.pov", "+W8", "+H6", "-V", cwd="strangers")
+        expect(status == 0 and (world.root / "strangers/a.ph").exists(), "lentray saves photons", status, said)
 
 
 def sticky(place, binaries):
@@ -177,9 +256,12 @@ def main():
     with tempfile.TemporaryDirectory(dir=binaries.parent) as place:
         attacks(place, binaries)
         permitted(place, binaries)
+        folders(place, binaries)
         sticky(place, binaries)
+        links_of_folders(place, binaries)
         links_of_pictures(place, binaries)
-    return verdict("strangers' INI files: all hold")
+        photons(place, binaries)
+    return verdict("strangers' scenes: all hold")
 
 
 if __name__ == "__main__":

@@ -178,6 +178,16 @@ def words_with_equals(world):
         world.put(name, "camera{location -5*z look_at 0} sphere{0,1}\n")
         status, said = world.run("lentray", name, "+W8", "+H6", "-V", "+Oe.png")
         expect(status == 0, name, status, said)
+        small = ("+W8", "+H6")
+        for words in (["lentray-batch", name, "--out", "out", "--quiet", *small], ["lentray-diff", name, "--no-pictures", *small],
+                      ["lentray-grouping", name, "--orders", "rows", "--caches", "off", *small],
+                      ["lentray-chart", name, "--out", "chart", "--quick", "--no-stock", "--only", "quality", "--repeats", "1", *small]):
+            status, said = world.run(*words, seconds=60)
+            expect(status == 0, words, status, said)
+    # A file that is called like an option does not take its place.
+    world.put("Quality=0", "no scene")
+    status, said = world.run("lentray-batch", "a=b.pov", "Quality=0", "--out", "out", "--quiet")
+    expect(status == 0 and "1 done" in said, "a file called like an option", status, said)
     status, said = world.run("lentray", "c=d.pov", "-V")
     expect(status == 1 and "there is no scene 'c=d.pov'" in said, status, said)
     status, said = world.run("lentray", "Widht=9", "+Iplain.pov", "-V")

@@ -104,7 +104,7 @@ struct Attempt {
 constexpr const char* kReads = "a scene reads only below";
 constexpr const char* kWrites = "a scene writes only below";
 constexpr const char* kPlain = "a scene opens plain files only";
-constexpr const char* kOwn = "a scene does not write povray.ini";
+constexpr const char* kOwn = "a scene does not write what later runs obey";
 
 const std::vector<Attempt> kAttempts = {
     // #include

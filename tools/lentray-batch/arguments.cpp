@@ -66,7 +66,7 @@ constexpr std::array kOurs{"Input_File_Name", "Output_File_Name", "Output_To_Fil
                            "Continue_Trace",  "Statistics_File",  "Dependencies_File",
                            "Scene_Writes",    "Create_Ini",       "Work_Threads",
                            "Max_Time",        "Max_Memory",       "View"};
-constexpr std::array kPaths{"Library_Path", "Include_Header", "Include_Ini"};
+constexpr std::array kPaths{"Library_Path", "Permitted_Path", "Include_Header", "Include_Ini"};
 
 class Parsing {
  public:
@@ -148,7 +148,7 @@ class Parsing {
   void other(const std::string& word) {
     std::error_code error;
     const bool is_switch = parser::is_switch(word);
-    if (!is_switch && !parser::is_ini(word) && fs::exists(word, error)) {
+    if (parser::is_scene_word(word) && fs::exists(word, error)) {
       m_out.inputs.emplace_back(word);
     } else if (is_switch || word.find('=') != std::string::npos) {
       m_out.for_lentray.push_back(with_whole_path(word, is_switch));
@@ -211,16 +211,30 @@ class Parsing {
     return "";
   }
 
-  /// Library paths that stand in INI files are relative to the current folder, as POV-Ray has it.
+  /// Scenes are strangers' until the command line says that they are not: INI files do not.
+  void restrict() const {
+    const bool is_said = std::ranges::any_of(m_out.for_lentray, [](const std::string& word) {
+      return same_word(word.substr(0, word.find('=')), "Restrict_IO");
+    });
+    if (!is_said) m_out.for_lentray.insert(m_out.for_lentray.begin(), "Restrict_IO=On");
+  }
+
+  /// Folders that stand in INI files are relative to the current folder, as POV-Ray has it.
   void check_lentrays() const {
     const parser::RenderOptions options = parser::read_options(m_out.for_lentray, {});
+    m_out.restricts = options.restrict_io;
     if (options.help || options.version || options.parse_only || options.dump || options.explain ||
         options.depth || !options.dump_rays.empty()) {
       throw OptionError("a batch renders; what else lentray does is done with lentray itself");
     }
-    for (const std::string& folder : options.library_paths) {
+    add_whole("Library_Path=", options.library_paths);
+    add_whole("Permitted_Path=", options.permitted_paths);
+  }
+
+  void add_whole(const std::string& option, const std::vector<std::string>& folders) const {
+    for (const std::string& folder : folders) {
       if (fs::path(folder).is_relative())
-        m_out.for_lentray.push_back("Library_Path=" + fs::absolute(folder).string());
+        m_out.for_lentray.push_back(option + fs::absolute(folder).string());
     }
   }
 
@@ -239,6 +253,7 @@ class Parsing {
     if (!m_out.table.empty() && !m_out.compare)
       throw OptionError("--table shows grades: it needs --compare");
     refuse_what_the_batch_decides();
+    restrict();
     check_lentrays();
   }
 
@@ -271,6 +286,11 @@ scene.ini beside scene.pov holds for that scene besides, and comes last. Files
 that others include and that have no camera of their own are left out. Scenes
 are rendered in their own folders, as by hand, but what they write is kept in
 memory: the folders stay as they are.
+
+Scenes are taken for strangers' (Restrict_IO=On): they read the folders that are
+named here, their own, library paths (+L), Permitted_Path=FOLDER, and POV-Ray's
+include files; povray.conf is not asked, and scene.ini sets what pictures look
+like alone. Restrict_IO=Off on this command line lets scenes read all.
 
   --out DIR        where pictures, manifest and page go
   --frames         animations, frame by frame; without it a still of each

@@ -16,6 +16,7 @@ struct Arguments {
   std::vector<std::filesystem::path> inputs;  ///< folders and scenes, as given
   std::filesystem::path out;                  ///< the batch's folder, absolute
   std::vector<std::string> for_lentray;       ///< in order; paths are absolute
+  bool restricts = true;                      ///< Restrict_IO=On: scenes are strangers'
   bool frames = false;                        ///< animations are rendered; else a still of each
   bool views = false;         ///< the views of integral images as pictures of their own
   bool compare = false;       ///< stock beside each

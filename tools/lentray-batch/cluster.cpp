@@ -79,10 +79,14 @@ bool Cluster::go_on() {
   if (!fs::exists(m_root / "current", core::ignored_error())) return false;
   const std::string current = tool::read_text(m_root / "current");  // run and job
   const std::size_t blank = current.find(' ');
-  m_folder = std::make_unique<RunFolder>(m_root / current.substr(0, blank));
+  const std::string name = current.substr(0, blank);
+  if (fs::path(name).filename() != name) return false;
+  m_folder = std::make_unique<RunFolder>(m_root / name);
   m_job = current.substr(blank + 1);
   fs::path folder;
-  if (m_folder->words(folder) != m_plan.arguments.words || !results_fit()) return false;
+  if (m_folder->words(folder) != m_plan.arguments.words || folder != fs::current_path() ||
+      !results_fit())
+    return false;
   for (std::size_t i = 0; i < m_folder->tasks(); ++i) {
     m_tasks.push_back(m_folder->task(i));
     for (const Work& work : m_tasks.back()) m_band_count[work.item.name] = work.item.bands;
@@ -131,13 +135,18 @@ bool Cluster::prepare(const std::vector<Job*>& jobs) {
   }
   m_folder = std::make_unique<RunFolder>(m_root / run_name());
   m_folder->write(m_plan.arguments.words, m_tasks);
-  const fs::path self = fs::read_symlink("/proc/self/exe");
-  tool::write_whole(m_folder->path() / "task.sh",
-                    "#!/bin/sh\nexec " + tool::shell_word(self.string()) +
-                        " --worker=" + tool::shell_word(m_folder->path().string()) +
-                        " --task=\"$SLURM_ARRAY_TASK_ID\"\n");
   submit();
   return true;
+}
+
+/// Written by this run: one that lies there may have come with the scenes.
+fs::path Cluster::write_script() const {
+  const fs::path script = m_folder->path() / "task.sh";
+  const fs::path self = fs::read_symlink("/proc/self/exe");
+  tool::write_whole(script, "#!/bin/sh\nexec " + tool::shell_word(self.string()) +
+                                " --worker=" + tool::shell_word(m_folder->path().string()) +
+                                " --task=\"$SLURM_ARRAY_TASK_ID\"\n");
+  return script;
 }
 
 /// Those tasks of which something is left.
@@ -150,7 +159,7 @@ void Cluster::submit() {
     if (is_left) numbers.push_back(i);
     for (const Work& work : m_tasks[i]) all += work.item.seconds;
   }
-  m_job = m_slurm.submit(m_folder->path() / "task.sh", ranges(numbers), m_folder->path() / "logs");
+  m_job = m_slurm.submit(write_script(), ranges(numbers), m_folder->path() / "logs");
   ++m_submissions;
   tool::write_whole(m_root / "current", m_folder->path().filename().string() + " " + m_job);
   m_progress.say("job array " + m_job + " of Slurm: " + std::to_string(numbers.size()) +

@@ -27,6 +27,7 @@ class Cluster {
   bool go_on();
   bool results_fit() const;
   bool prepare(const std::vector<Job*>& jobs);
+  std::filesystem::path write_script() const;
   void submit();
   bool wait();
   void collect();

@@ -51,6 +51,7 @@ std::string key_of(const Plan& plan, const parser::RenderOptions& o,
   std::string text =
       hexadecimal(plan.program) + "\n" + parser::picture_lines(o) + parser::file_lines(o);
   for (const std::string& folder : o.library_paths) text += folder + "\n";
+  for (const std::string& folder : o.permitted_paths) text += "permitted " + folder + "\n";
   text += std::string(o.strict ? "strict " : "") + (o.restrict_io ? "restricted " : "") +
           (o.clock_given ? std::to_string(o.clock) : "");
   if (frame) {
@@ -74,9 +75,13 @@ bool tells_of_no_room(const std::string& reason) {
 
 json read_json(const fs::path& path) { return tool::json_if_any(tool::file_bytes(path)); }
 
-/// The batch's options, and then the scene's own.
+/// The batch's options, what the scene may read, and then the scene's own.
 std::vector<std::string> options_in_words(const Plan& plan, const Scene& scene) {
   std::vector<std::string> words = plan.arguments.for_lentray;
+  if (plan.arguments.restricts) {
+    for (const fs::path& folder : folders_of(plan.arguments.inputs, scene.source))
+      words.push_back("Permitted_Path=" + (folder / "").string());
+  }
   if (plan.arguments.scene_ini && !scene.ini.empty())
     tool::append(words, {"--scene-ini", scene.ini.string()});
   return words;

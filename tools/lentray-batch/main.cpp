@@ -42,6 +42,12 @@ std::string command_of(const std::vector<std::string>& words) {
   return out;
 }
 
+const char* said_of_files(bool restricts) {
+  return restricts ? "Restrict_IO=On: scenes read the folders that are named here, and write "
+                     "nothing; Restrict_IO=Off lets them read all"
+                   : "Restrict_IO=Off: scenes may read all files";
+}
+
 /// The jobs of a scene: one, or one a frame, or one a view.
 std::vector<std::unique_ptr<Job>> jobs_of(const Plan& plan, const Scene& scene) {
   const parser::RenderOptions options = options_of(plan, scene);
@@ -74,6 +80,7 @@ class Batch {
   /// False if a signal stopped it.
   bool render() {
     BatchProgress progress(m_kept + m_jobs.size(), m_kept, m_plan.arguments.quiet);
+    if (!m_plan.arguments.quiet) progress.say(said_of_files(m_plan.arguments.restricts));
     for (const std::string& warning : m_warnings) progress.say(warning);
     if (m_plan.arguments.slurm && !on_cluster(progress)) return false;
     m_manifest.reserve(m_jobs.size());
@@ -123,10 +130,10 @@ class Batch {
 
   /// Scenes, and of each what is to be done.
   void find() {
-    Scan scan = find_scenes(m_plan.arguments.inputs, m_plan.arguments.out, m_manifest.names());
-    // What the user restricts stock does not know.
-    if (m_plan.arguments.compare &&
-        parser::read_options(m_plan.arguments.for_lentray, {}).restrict_io) {
+    const Arguments& a = m_plan.arguments;
+    const Scan scan = find_scenes(a.inputs, {a.out, !a.restricts}, m_manifest.names());
+    // What is restricted here stock does not know.
+    if (a.compare && a.restricts) {
       m_warnings.emplace_back(
           "warning: --compare: stock POV-Ray obeys povray.conf alone, not Restrict_IO=On");
     }
@@ -208,6 +215,7 @@ class Batch {
       options.title += (options.title.empty() ? "" : ", ") + input.string();
     options.folder = m_plan.arguments.out;
     options.is_finished = is_finished;
+    options.restricts = m_plan.arguments.restricts;
     options.expected_rows = m_names.size();
     options.wall =
         std::chrono::duration<double>(std::chrono::steady_clock::now() - m_start).count();
@@ -315,8 +323,21 @@ class Batch {
   const std::chrono::steady_clock::time_point m_start = std::chrono::steady_clock::now();
 };
 
+/// Where the folder came with the scenes, pictures and rows would be written through its links.
+void refuse_links(const fs::path& out) {
+  std::error_code error;
+  for (fs::recursive_directory_iterator at(out, error), end; !error && at != end;
+       at.increment(error)) {
+    if (!at->is_symlink(error)) continue;
+    throw parser::OptionError("--out '" + out.string() + "' holds a link, '" + at->path().string() +
+                              "', that may have come with the scenes: take it away, name another "
+                              "folder, or say Restrict_IO=Off");
+  }
+}
+
 int batch(const Arguments& arguments) {
   tool::hold_signals();
+  if (arguments.restricts && arguments.worker.empty()) refuse_links(arguments.out);
   return arguments.worker.empty() ? Batch(arguments).run() : do_task(arguments);
 }
 

@@ -22,6 +22,7 @@ struct PageOptions {
   std::filesystem::path folder;         ///< the batch's
   std::size_t most_bytes = 20'000'000;  ///< of the page; at least 100,000, which its frame takes
   bool is_finished = true;              ///< no row is to come
+  bool restricts = false;               ///< Restrict_IO=On: the page says so
   std::size_t expected_rows =
       0;              ///< of the batch when it is through: pictures get sizes that leave room
   double wall = 0.0;  ///< of the whole batch

@@ -34,7 +34,8 @@ function showHead() {
   const cut = summary.all_rows > rows.length
     ? ` The page has room for ${rows.length} of ${summary.all_rows} rows; the manifest has all.` : "";
   byId("status").append(`${many(summary.cards, "scene")}` +
-    (rows.length > summary.cards ? `, ${many(rows.length, "picture")}` : "") + `. ${state}${cut}`);
+    (rows.length > summary.cards ? `, ${many(rows.length, "picture")}` : "") + `. ${state}${cut}` +
+    (summary.restricted ? " Scenes were taken for strangers' (Restrict_IO=On)." : " Scenes might read all files (Restrict_IO=Off)."));
   if (!summary.finished) {
     byId("status").append(" ", element("button", { type: "button", class: "plain", onclick: () => location.reload() },
         "Load again"));

@@ -171,6 +171,7 @@ json summary_data(const Summary& sum, const PageOptions& options) {
            {"grades", sum.grades},
            {"memory", sum.memory},
            {"finished", options.is_finished},
+           {"restricted", options.restricts},
            {"expected", options.expected_rows}};
   put_seconds(out, "cpu", sum.cpu);
   put_seconds(out, "wall", options.wall);

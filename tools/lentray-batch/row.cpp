@@ -1,6 +1,8 @@
 #include "tools/lentray-batch/row.h"
 
+#include <algorithm>
 #include <array>
+#include <filesystem>
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
@@ -20,6 +22,17 @@ State state_named(const std::string& name) {
     if (kStates[i] == name) return static_cast<State>(i);
   }
   throw std::invalid_argument("no state of a row: " + name);
+}
+
+/// A place below the manifest's folder: a row that came with scenes names no other file.
+bool is_below(const std::string& place) {
+  const std::filesystem::path path = place;
+  return path.is_relative() && std::ranges::find(path, "..") == path.end();
+}
+
+bool names_places_below(const Row& row) {
+  return is_below(row.picture) && std::ranges::all_of(row.views, is_below) &&
+         (!row.verdict || (is_below(row.verdict->stock) && is_below(row.verdict->difference)));
 }
 
 }  // namespace
@@ -109,7 +122,7 @@ std::map<std::string, Row> rows_in(const std::filesystem::path& path, bool* is_c
     if (parsed.is_discarded()) continue;
     try {
       Row row = row_of(parsed);
-      rows[row.name] = std::move(row);
+      if (names_places_below(row)) rows[row.name] = std::move(row);
     } catch (const std::invalid_argument&) {
       // No row of ours.
     }

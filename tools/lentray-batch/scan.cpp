@@ -35,20 +35,26 @@ std::string beginning(const fs::path& path) {
   return text;
 }
 
+/// Absolute, without dots and a slash at its end.
+fs::path whole(const fs::path& input) {
+  const fs::path place = fs::absolute(input).lexically_normal();
+  return place.has_filename() ? place : place.parent_path();
+}
+
 class Scanner {
  public:
-  Scanner(const fs::path& out, const std::map<std::string, std::string>& known)
-      : m_out(out), m_known(known) {}
+  Scanner(const ScanOptions& options, const std::map<std::string, std::string>& known)
+      : m_out(options.out), m_follows_links(options.follows_links), m_known(known) {}
 
   void add(const fs::path& input) {
-    const fs::path place = fs::absolute(input).lexically_normal();
+    const fs::path place = whole(input);
     if (fs::is_directory(place, core::ignored_error())) {
       if (is_within(place, m_out)) {
         throw parser::OptionError("--out '" + m_out.string() + "' holds the scenes of '" +
                                   input.string() +
                                   "': pictures would lie among theirs; name another folder");
       }
-      add_folder(place.has_filename() ? place : place.parent_path());
+      add_folder(place);
     } else if (fs::is_regular_file(place, core::ignored_error())) {
       add_scene(place, place.stem().string(), "");
     } else {
@@ -87,7 +93,8 @@ class Scanner {
           at.disable_recursion_pending();
         }
       } else if (at->is_regular_file(ignored) &&
-                 (has_extension(path, ".pov") || has_extension(path, ".inc"))) {
+                 (has_extension(path, ".pov") || has_extension(path, ".inc")) &&
+                 may_follow(*at, root)) {
         if (has_extension(path, ".pov")) scenes.push_back(path);
         for (const std::string& name : look_at(beginning(path)).includes) {
           if (has_extension(name, ".pov"))
@@ -101,6 +108,17 @@ class Scanner {
       add_scene(scene, scene.lexically_relative(root).replace_extension().string(),
                 is_part ? by->second.lexically_relative(root).string() : "");
     }
+  }
+
+  /// A link may have come with the scenes, and lead to any file of the user's.
+  bool may_follow(const fs::directory_entry& entry, const fs::path& root) {
+    std::error_code error;
+    if (m_follows_links || !entry.is_symlink(error)) return true;
+    const fs::path place = fs::canonical(entry.path(), error);
+    if (!error && is_within(place, fs::canonical(root, error))) return true;
+    m_scan.warnings.push_back("'" + entry.path().string() + "' is a link that leads out of '" +
+                              root.string() + "': left out");
+    return false;
   }
 
   void add_scene(const fs::path& source, const std::string& name, const std::string& part_of) {
@@ -138,6 +156,7 @@ class Scanner {
   }
 
   const fs::path m_out;
+  const bool m_follows_links;
   const std::map<std::string, std::string>& m_known;
   std::set<fs::path> m_sources;
   Scan m_scan;
@@ -156,11 +175,21 @@ SceneText look_at(std::string_view text) {
   return out;
 }
 
-Scan find_scenes(const std::vector<fs::path>& inputs, const fs::path& out,
+Scan find_scenes(const std::vector<fs::path>& inputs, const ScanOptions& options,
                  const std::map<std::string, std::string>& known) {
-  Scanner scanner(out, known);
+  Scanner scanner(options, known);
   for (const fs::path& input : inputs) scanner.add(input);
   return scanner.take();
+}
+
+std::vector<fs::path> folders_of(const std::vector<fs::path>& inputs, const fs::path& source) {
+  std::vector<fs::path> out;
+  for (const fs::path& input : inputs) {
+    const fs::path place = whole(input);
+    if (place == source) out.push_back(source.parent_path());
+    if (is_within(source, place) && place != source) out.push_back(place);
+  }
+  return out;
 }
 
 }  // namespace lentray::batch

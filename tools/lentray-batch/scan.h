@@ -18,12 +18,23 @@ struct Scene {
 
 struct Scan {
   std::vector<Scene> scenes;          ///< by name
-  std::vector<std::string> warnings;  ///< folders that cannot be read
+  std::vector<std::string> warnings;  ///< folders that cannot be read, links that are not followed
 };
 
-/// `out` and what lies in it is passed over. `known`: names that sources got in earlier runs, which they keep.
-Scan find_scenes(const std::vector<std::filesystem::path>& inputs, const std::filesystem::path& out,
+/// Where scenes are looked for, and which are let in.
+struct ScanOptions {
+  std::filesystem::path out;  ///< it and what lies in it is passed over
+  bool follows_links = true;  ///< of files; else only those that stay in the folder
+};
+
+/// `known`: names that sources got in earlier runs, which they keep.
+Scan find_scenes(const std::vector<std::filesystem::path>& inputs, const ScanOptions& options,
                  const std::map<std::string, std::string>& known);
+
+/// The folders of the inputs that the scene lies in, its own if it was named itself; absolute. None: it is no scene of
+/// theirs.
+std::vector<std::filesystem::path> folders_of(const std::vector<std::filesystem::path>& inputs,
+                                              const std::filesystem::path& source);
 
 /// Files that a text of a scene includes by name, comments apart; and whether a camera stands in it.
 struct SceneText {

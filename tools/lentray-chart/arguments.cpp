@@ -6,6 +6,7 @@
 #include <cmath>
 #include <sstream>
 
+#include "parser/options/options.h"
 #include "parser/options/own_option.h"
 #include "tools/common/duration.h"
 
@@ -129,8 +130,7 @@ Arguments parse_arguments(const std::vector<std::string>& words) {
       continue;
     } else if (word.starts_with("--")) {
       throw OptionError("unknown option '" + word + "'; --help lists all");
-    } else if (parser::is_switch(word) || word.find('=') != std::string::npos ||
-               parser::is_ini(word)) {
+    } else if (!parser::is_scene_word(word)) {
       if (parser::is_switch(word) || !parser::is_ini(word)) refuse_ours(word);
       arguments.for_lentray.push_back(word);
     } else {

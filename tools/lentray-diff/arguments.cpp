@@ -11,6 +11,7 @@
 
 #include "core/base/lower_case.h"
 #include "parser/options/ini.h"
+#include "parser/options/options.h"
 
 namespace lentray::diff {
 
@@ -119,7 +120,7 @@ class Parsing {
     const std::size_t equals = word.find('=');
     if (parser::is_switch(word)) {
       on_switch(word, fs::current_path());
-    } else if (equals != std::string::npos) {
+    } else if (equals != std::string::npos && !parser::is_scene_word(word)) {
       on_option(word.substr(0, equals), parser::unquoted(word.substr(equals + 1)),
                 fs::current_path());
     } else {

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "parser/options/ini.h"
+#include "parser/options/options.h"
 #include "parser/options/own_option.h"
 #include "shadow/pixel_orders.h"
 #include "shadow/tester_factory.h"
@@ -77,8 +78,7 @@ Arguments parse_arguments(const std::vector<std::string>& words) {
     if (parser::take_own_option(words, i, kOptions, arguments)) continue;
     if (word.rfind("--", 0) == 0) {
       throw OptionError("unknown option '" + word + "'; --help lists all");
-    } else if (word[0] == '+' || word[0] == '-' || word.find('=') != std::string::npos ||
-               word.find(".ini") != std::string::npos) {
+    } else if (!parser::is_scene_word(word)) {
       arguments.for_lentray.push_back(word);
     } else {
       arguments.scenes.push_back(word);

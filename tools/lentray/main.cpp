@@ -17,10 +17,10 @@
 #include "core/base/memory_limit.h"
 #include "core/image/writer.h"
 #include "parser/base/shown.h"
+#include "parser/files/files.h"
 #include "parser/options/lens_sheets.h"
 #include "parser/options/options.h"
 #include "parser/options/options_help.h"
-#include "parser/restrictions/scene_word_rules.h"
 #include "parser/source/build_error.h"
 #include "parser/source/diagnostics.h"
 #include "tools/common/machine.h"
@@ -29,11 +29,11 @@
 #include "tools/lentray/message_form.h"
 #include "tools/lentray/picture_run.h"
 #include "tools/lentray/run.h"
+#include "tools/lentray/run_sandbox.h"
 #include "tools/lentray/stock_form.h"
 #include "tools/lentray/text_streams.h"
 #include "tools/lentray/warnings.h"
 #include "tools/session/run_guard.h"
-#include "tools/session/scene_disk.h"
 
 namespace {
 
@@ -85,8 +85,8 @@ int Output::guarded(Work work) {
   } catch (const parser::ParseError& error) {
     return fail(line(error.what()));
   } catch (const std::exception& error) {
-    if (is_one_of<parser::OptionError, parser::BuildError, camera::CameraError, core::ImageError,
-                  core::NoRoom, std::system_error>(error))
+    if (is_one_of<parser::OptionError, parser::BuildError, parser::FileRefused, camera::CameraError,
+                  core::ImageError, core::NoRoom, std::system_error>(error))
       return fail_nowhere(error.what());
     // A length_error: more than any memory holds.
     if (is_one_of<std::bad_alloc, std::length_error>(error)) return fail_nowhere(kNoMemory);
@@ -149,8 +149,6 @@ int run_main(int argc, char** argv) {
       throw;
     }
     const bool tells = options.help || options.version;
-    if (!tells) tool::judge_options(options);
-    parser::drop_scene_writes(options);
     is_over = tells || options.list_lens_sheets;
     if (tells) {
       tell(options, as_povray);
@@ -164,6 +162,8 @@ int run_main(int argc, char** argv) {
     return tool::kDone;
   });
   if (status != tool::kDone || is_over) return status;
+  if (const std::string lack = tool::enter_sandbox(options); !lack.empty())
+    options.warnings.push_back(lack);
   tool::RunGuard guard([&out] { out.texts->keep_at_end(); });
   if (tool::renders(options)) out.form->begin_run();
   status = render(options, guard, out);

@@ -14,6 +14,7 @@
 #include "parser/files/watched_files.h"
 #include "parser/options/create_ini.h"
 #include "parser/read_scene.h"
+#include "parser/restrictions/run_rules.h"
 #include "parser/source/cancelled.h"
 #include "shadow/pixel_orders.h"
 #include "tools/common/json_text.h"
@@ -73,7 +74,6 @@ void check_order(const RenderOptions& o) {
 /// Files are asked for before anything is read, so that no work is lost on them.
 void check_outputs(Run& run) {
   const RenderOptions& o = run.options;
-  judge_options(o);
   core::claim_writable(o.dump_rays, "--dump-rays");
   core::claim_writable(sheet_file(o, o.depth_view), "--depth-view");
   core::claim_writable(sheet_file(o, o.view_cameras), "View_Cameras");
@@ -91,6 +91,7 @@ void check_outputs(Run& run) {
   if (!o.output_to_file) return;
   core::claim_writable(RadiosityStore::output(o), "Radiosity_File_Name");
   run.output = parser::output_path(o, run.type);
+  parser::judge_picture(o, run.output);
   core::claim_writable(run.output, "the picture");
 }
 
@@ -299,19 +300,28 @@ bool render(Run& run, SceneInUse& scene, const std::atomic<bool>& cancel, bool i
 }
 
 /// Those that were shot for this picture, later ones share.
-void save_photons(Run& run, const PhotonRun& photons) {
+void save_photons(Run& run, const PhotonRun& photons, const parser::Files& files) {
   const auto& passes = run.report.passes;
   const bool are_new = std::any_of(passes.begin(), passes.end(),
                                    [](const auto& pass) { return pass.name == "photons"; });
-  if (!are_new) return;
+  if (!are_new || photons.file().empty()) return;
+  if (!run.options.writes_to_disk) {
+    return run.warnings.tell(
+        "the photons are not saved: with Scene_Writes=memory a scene leaves no files behind");
+  }
+  if (!files.may_write(photons.file())) {
+    return run.warnings.tell("the photons are not saved: '" + photons.file() +
+                             "' cannot be written");
+  }
   if (const std::string trouble = photons.save(); !trouble.empty()) run.warnings.tell(trouble);
 }
 
 /// What the picture told about the numbers it was given.
-void report_advice(Run& run, const Session& session) {
+void report_advice(Run& run, SceneInUse& scene) {
+  const Session& session = *scene.session;
   for (const std::string& text : session.advice()) run.warnings.add(text);
   if (const PhotonRun* const photons = session.photons()) {
-    save_photons(run, *photons);
+    save_photons(run, *photons, scene.disk.files());
     if (const std::string text = photons->warning(); !text.empty()) run.warnings.tell(text);
     run.form.texts().write(parser::Stream::kStatistics, photons->text());
   }
@@ -388,7 +398,7 @@ Status make_picture(Run& run, const Picture& what, const std::atomic<bool>& canc
   if (const auto status = tell(run, session, cancel)) return *status;
   session.drop_text();
   if (!render(run, *what.kept, cancel, what.is_frame)) return kAborted;
-  report_advice(run, session);
+  report_advice(run, *what.kept);
   run.warnings.say();
   run.report.wall_s = std::chrono::duration<double>(Clock::now() - start).count();
   run.report.peak_bytes = peak_bytes();

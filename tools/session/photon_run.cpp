@@ -23,8 +23,10 @@ PhotonRun::PhotonRun(const core::Scene& scene, core::Illumination& light)
   }
 }
 
+const std::string& PhotonRun::file() const { return m_scene.settings().photons->save_file; }
+
 std::string PhotonRun::save() const {
-  const std::string& name = m_scene.settings().photons->save_file;
+  const std::string& name = file();
   if (name.empty() || !m_pass) return {};
   const core::PhotonLight& light = *m_light.photons;
   if (light.surface.is_empty() && light.media.is_empty()) {

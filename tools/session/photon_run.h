@@ -16,7 +16,9 @@ class PhotonRun {
   PhotonRun(const core::Scene& scene, core::Illumination& light);
   /// Null: they were loaded.
   core::PhotonPass* pass() { return m_pass ? &*m_pass : nullptr; }
-  /// Writes the scene's save_file, if it wants one. Returns what went wrong; empty: nothing.
+  /// The scene's save_file; empty: it wants none.
+  const std::string& file() const;
+  /// Writes that file, if there is one. Returns what went wrong; empty: nothing.
   std::string save() const;
 
   /// What a user may want to know of them, each in a line; empty: nothing.

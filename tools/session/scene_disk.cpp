@@ -3,35 +3,15 @@
 #include <nlohmann/json.hpp>
 
 #include "parser/files/memory_writes.h"
-#include "parser/restrictions/povray_conf.h"
 #include "parser/restrictions/restricted_files.h"
-#include "parser/restrictions/scene_word_rules.h"
+#include "parser/restrictions/run_rules.h"
 
 namespace lentray::tool {
-namespace {
-
-std::unique_ptr<parser::Files> restricted(const parser::RenderOptions& o, const std::string& scene,
-                                          std::vector<std::string>& warnings) {
-  std::vector<parser::PovrayConf> confs = parser::installed_confs();
-  for (const parser::PovrayConf& conf : confs) {
-    warnings.insert(warnings.end(), conf.warnings.begin(), conf.warnings.end());
-  }
-  return std::make_unique<parser::RestrictedFiles>(
-      parser::FileRules(parser::users_folders(o, scene), std::move(confs)));
-}
-
-}  // namespace
-
-void judge_options(const parser::RenderOptions& o) {
-  if (!o.restrict_io) return;
-  parser::judge_scene_words(
-      o, parser::FileRules(parser::users_folders(o, o.input), parser::installed_confs()));
-}
-
 SceneDisk::SceneDisk(const parser::RenderOptions& options, const std::string& scene)
     : m_scene(scene), m_files(&parser::disk_files()) {
   if (options.restrict_io) {
-    m_restricted = restricted(options, scene, m_warnings);
+    m_restricted =
+        std::make_unique<parser::RestrictedFiles>(parser::run_rules(options, scene, m_warnings));
     m_files = m_restricted.get();
   }
   if (options.parse_only || options.dump || !options.writes_to_disk) {

@@ -16,10 +16,6 @@
 
 namespace lentray::tool {
 
-/// With Restrict_IO=On: what the scene's own INI file named is judged by the rules for the scene.
-/// OptionError.
-void judge_options(const parser::RenderOptions& options);
-
 class SceneDisk {
  public:
   SceneDisk(const parser::RenderOptions& options, const std::string& scene);

@@ -27,7 +27,8 @@ std::string found(const parser::RenderOptions& options) {
       const fs::path path = folder / (options.input + end);
       const auto status = fs::status(path, core::ignored_error());
       if (!fs::exists(status) || fs::is_directory(status)) continue;
-      if (!std::ifstream(path)) throw OptionError("cannot read the scene '" + path.string() + "'");
+      if (::access(path.c_str(), R_OK) != 0)
+        throw OptionError("cannot read the scene '" + path.string() + "'");
       core::note_input(path);
       return path.string();
     }

@@ -104,9 +104,30 @@ TEST_F(UnitFileRules, UsersFolders) {
   EXPECT_NE(r.against_reading("pipe:[123]"), "");
   EXPECT_NE(r.against_reading(""), "");
   for (const char* name :
-       {".bashrc", "povray.ini", ".povray/3.7/povray.conf", "sub/povray.conf", "sub/.x/y"}) {
+       {".bashrc", "povray.ini", ".povray/3.7/povray.conf", "sub/povray.conf", "sub/.x/y", "a.ini",
+        "A.INI", "lens_sheets.ini", "a.png.lentray-state", "a.png.lentray-passes.part",
+        "x.lentray-light", "object.rca", "manifest.jsonl", "state.json", "sub/a.ini/b"}) {
     EXPECT_NE(r.against_writing(work / name), "") << name;
   }
+}
+
+/// A relative library path is no place to read where a link is on the way: it may have come with the scene.
+TEST_F(UnitFileRules, LinksAreNoLibraries) {
+  fs::create_directory_symlink(outside, work / "lib");
+  fs::create_directory_symlink("sub", work / "inside");
+  fs::create_directory(outside / "deep");
+  const fs::path before = fs::current_path();
+  fs::current_path(work);
+  const auto reads = [this](const std::string& library) {
+    return FileRules({work, work, {library}, {}}, {}).against_reading(outside / "secret").empty();
+  };
+  EXPECT_FALSE(reads("lib"));
+  EXPECT_FALSE(reads("lib/"));
+  EXPECT_FALSE(reads("lib/deep/.."));
+  EXPECT_TRUE(reads("../outside"));
+  EXPECT_TRUE(reads("./../outside/."));
+  EXPECT_TRUE(reads(work / "lib")) << "a whole name is the user's";
+  fs::current_path(before);
 }
 
 TEST_F(UnitFileRules, Conf) {

@@ -8,6 +8,7 @@
 #include <sstream>
 
 #include "parser/options/options.h"
+#include "tools/common/json_text.h"
 #include "tools/common/messages.h"
 #include "tools/common/process.h"
 #include "tools/lentray-batch/arguments.h"
@@ -57,7 +58,8 @@ TEST_F(UnitBatch, OptionsAreItsOwnOrLentrays) {
                        place("sheet.ini"), "--frames", "--time-limit=10m", "--memory-limit", "2G",
                        "--jobs=3", "--grade", "match", "+Lincludes"});
   EXPECT_EQ(a.inputs, std::vector<fs::path>{place("a.pov")});
-  const std::vector<std::string> expected{"+W320", "Declare=A=2", place("sheet.ini"),
+  const std::vector<std::string> expected{"Restrict_IO=On", "+W320", "Declare=A=2",
+                                          place("sheet.ini"),
                                           "+L" + fs::absolute("includes").string()};
   EXPECT_EQ(a.for_lentray, expected);
   EXPECT_TRUE(a.frames && a.compare && a.scene_ini);
@@ -122,13 +124,73 @@ TEST_F(UnitBatch, FindsScenesAndLeavesOutPartsAndItsOwnFolder) {
   put("in/.hidden/b.pov", kCamera);
   put("in/out/old.pov", kCamera);
   put("in/c.inc", "camera {}");
-  const Scan scan = find_scenes({m_folder / "in"}, m_folder / "in/out", {});
+  const Scan scan = find_scenes({m_folder / "in"}, {m_folder / "in/out"}, {});
   std::vector<std::string> names;
   for (const Scene& scene : scan.scenes)
     names.push_back(scene.name + (scene.part_of.empty() ? "" : " of " + scene.part_of));
   EXPECT_EQ(names, (std::vector<std::string>{"a", "full", "sub/alone", "sub/part of a.pov"}));
   EXPECT_EQ(scan.scenes[2].ini, m_folder / "in/sub/alone.ini");
-  EXPECT_THROW(find_scenes({m_folder / "in"}, m_folder.path(), {}), std::exception);
+  EXPECT_THROW(find_scenes({m_folder / "in"}, {m_folder.path()}, {}), std::exception);
+}
+
+TEST_F(UnitBatch, LinksOfStrangersStayInTheirFolder) {
+  put("in/sub/a.pov", kCamera);
+  put("mine/b.pov", kCamera);
+  fs::create_symlink("sub/a.pov", m_folder / "in/inside.pov");
+  fs::create_symlink("../mine/b.pov", m_folder / "in/outside.pov");
+  fs::create_symlink("../mine", m_folder / "in/folder");
+  const auto names = [this](bool follows_links, std::size_t warnings) {
+    const Scan scan = find_scenes({m_folder / "in"}, {m_folder / "out", follows_links}, {});
+    EXPECT_EQ(scan.warnings.size(), warnings);
+    std::vector<std::string> out;
+    for (const Scene& scene : scan.scenes) out.push_back(scene.name);
+    return out;
+  };
+  EXPECT_EQ(names(false, 1), (std::vector<std::string>{"inside", "sub/a"}));
+  EXPECT_EQ(names(true, 0), (std::vector<std::string>{"inside", "outside", "sub/a"}));
+}
+
+TEST_F(UnitBatch, FoldersOfAScene) {
+  const fs::path scene = m_folder / "in/sub/a.pov";
+  EXPECT_EQ(folders_of({m_folder / "in/", m_folder / "other", scene}, scene),
+            (std::vector<fs::path>{m_folder / "in", m_folder / "in/sub"}));
+  EXPECT_TRUE(folders_of({m_folder / "i", m_folder / "in/sub/b.pov"}, scene).empty());
+}
+
+/// Scenes are strangers' unless the command line says that they are not.
+TEST_F(UnitBatch, RestrictsUntilTheCommandLineSaysOff) {
+  put("in/a.pov", kCamera);
+  put("off.ini", "Restrict_IO=Off\n");
+  const auto restricts = [this](std::vector<std::string> words) {
+    words.insert(words.end(), {place("in"), "--out", place("out")});
+    return parse_arguments(words).restricts;
+  };
+  EXPECT_TRUE(restricts({}));
+  EXPECT_TRUE(restricts({"restrict_io=on"}));
+  EXPECT_TRUE(restricts({place("off.ini")}));
+  EXPECT_TRUE(restricts({"Restrict_IO=Off", "Restrict_IO=On"}));
+  EXPECT_FALSE(restricts({"restrict_io=Off"}));
+}
+
+/// Rows that came with scenes name no files elsewhere.
+TEST_F(UnitBatch, RowsNameFilesBelowTheirManifest) {
+  Row row;
+  row.source = "/s";
+  const auto is_taken = [&] {
+    put("manifest.jsonl", tool::json_text(json_of(row)) + "\n");
+    return rows_in(m_folder / "manifest.jsonl").contains(row.name);
+  };
+  row.name = "a";
+  row.picture = "sub/a.png";
+  row.views = {"sub/a-views/view00.png"};
+  EXPECT_TRUE(is_taken());
+  row.views.push_back("../b.png");
+  EXPECT_FALSE(is_taken());
+  row.views.clear();
+  row.picture = "/etc/passwd";
+  EXPECT_FALSE(is_taken());
+  row.picture = "sub/../../a.png";
+  EXPECT_FALSE(is_taken());
 }
 
 TEST_F(UnitBatch, NamesAreUniqueAndStay) {
@@ -136,7 +198,7 @@ TEST_F(UnitBatch, NamesAreUniqueAndStay) {
   const auto names = [this](const std::vector<fs::path>& inputs,
                             const std::map<std::string, std::string>& known) {
     std::map<std::string, std::string> out;
-    for (const Scene& scene : find_scenes(inputs, m_folder / "out", known).scenes) {
+    for (const Scene& scene : find_scenes(inputs, {m_folder / "out"}, known).scenes) {
       out[scene.source.lexically_relative(m_folder.path()).string()] = scene.name;
     }
     return out;
