@@ -111,11 +111,11 @@ class LightLanes {
       unsigned here = left & simd::signs((column >= zero) & (row >= zero) &
                                          (column < simd::double4(raster.size(0))) &
                                          (row < simd::double4(raster.size(1))));
-      const Int4 cells = simd::truncated(row) * raster.size(0) + simd::truncated(column);
+      const Int4 columns = simd::truncated(column), rows = simd::truncated(row);
       left &= ~here;
       for (; here != 0; here &= here - 1) {
         const int i = __builtin_ctz(here);
-        m_cell[i] = &grid.cells[static_cast<std::size_t>(cells[i])];
+        m_cell[i] = &grid.cells[static_cast<std::size_t>(rows[i] * raster.size(0) + columns[i])];
       }
       if (left == 0) break;
     }
