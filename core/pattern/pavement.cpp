@@ -42,7 +42,8 @@ class WallLattice {
   /// The node of the period that any node repeats.
   std::size_t index(std::int64_t u, std::int64_t v) const {
     const std::int64_t row = wrapped(v, m_height);
-    const std::int64_t periods = wrapped((v - row) / m_height, m_width);
+    const std::int64_t below = v / m_height - (v % m_height < 0 ? 1 : 0);
+    const std::int64_t periods = wrapped(below, m_width);
     return static_cast<std::size_t>(row * m_width +
                                     wrapped(wrapped(u, m_width) - periods * m_shift, m_width));
   }

@@ -81,14 +81,15 @@ class PlainTokens {
     return true;
   }
   bool quick(double& x, Precedence least) {
-    if (!ends_operand(least)) return false;
-    const Number* number = m_at->kind == TokenKind::kIdentifier ? held<Number>(*m_at) : nullptr;
-    if (m_at->kind == TokenKind::kNumber)
+    if (m_at->kind == TokenKind::kNumber && ends_operand(least)) {
       x = m_at->number;
-    else if (number && number->size == 1)
+    } else if (m_at->kind == TokenKind::kIdentifier && ends_operand(least)) {
+      const Number* number = held<Number>(*m_at);
+      if (!number || number->size != 1) return false;
       x = number->v[0];
-    else
+    } else {
       return false;
+    }
     ++m_at;
     return true;
   }
@@ -122,7 +123,7 @@ class PlainTokens {
  private:
   static constexpr int kDeepest = 100;  ///< brackets and functions, one in the other
 
-  // Whether the token here is the whole expression. There is a next token: a list ends with kEnd.
+  // Whether the token here, which is not the list's kEnd, is the whole expression.
   bool ends_operand(Precedence least) const {
     const Token& next = m_at[1];
     if (next.kind != TokenKind::kPunct) return false;
