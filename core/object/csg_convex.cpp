@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <memory>
 #include <optional>
 #include <typeinfo>
 
@@ -54,7 +55,11 @@ std::optional<Placement> placement_of(const Leaf& leaf) {
 }  // namespace
 
 Answer ConvexParts::Part::holds(const Vec3& p) const {
-  const Side side = shape.side(move ? move->inverse_point(p) : p);
+  return holds_own(move ? move->inverse_point(p) : p);
+}
+
+Answer ConvexParts::Part::holds_own(const Vec3& p) const {
+  const Side side = shape.side(p);
   if (side == Side::kNear) return Answer::kUnclear;
   return (side == Side::kInside) != is_inverse ? Answer::kYes : Answer::kNo;
 }
@@ -62,8 +67,13 @@ Answer ConvexParts::Part::holds(const Vec3& p) const {
 /// A ray and where its line is in each part.
 struct ConvexParts::Line {
   struct Stretch {
+    Stretch() {}  // not defaulted: that would clear all
     Crossing found[2];
     int count;
+    bool is_asked;  ///< the line passes the part's ball, and `own` is known
+    union {
+      Ray own;  ///< in the space of the part's shape
+    };
     double from, to;  ///< empty where there is none beyond t_min
     bool has(double t) const { return t >= from && t <= to; }
   };
@@ -73,14 +83,14 @@ struct ConvexParts::Line {
 
   Line(const Ray& the_ray, double from) : ray(the_ray), t_min(from) {}
 
-  /// Whether two crossings beyond t_min may count as one.
-  bool has_pairs(std::size_t parts) const {
+  /// Whether two crossings beyond t_min may count as one, of those in the passage through the core.
+  bool has_pairs(std::size_t parts, const Passage& passage) const {
     std::array<double, 2 * kMost> at;
     std::size_t count = 0;
     for (std::size_t i = 0; i < parts; ++i) {
       for (int k = 0; k < in[i].count; ++k) {
         const double t = in[i].found[k].t;
-        if (!(t > t_min)) continue;
+        if (!(t > t_min) || !passage.has(t)) continue;
         const double near = 2.0 * kCoincide * distances(ray, t);
         for (std::size_t m = 0; m < count; ++m) {
           if (std::fabs(at[m] - t) < near) return true;
@@ -91,15 +101,21 @@ struct ConvexParts::Line {
     return false;
   }
 
+  /// Whether the part holds the place at t, where `p` is. Places on its own line are as near to `p` as rounding.
+  Answer holds(const Part& part, const Stretch& stretch, double t, const Vec3& p) const {
+    return stretch.is_asked ? part.holds_own(stretch.own.at(t)) : part.holds(p);
+  }
+
   void meet(const Part& part, Stretch& stretch) const {
     stretch.count = 0;
     stretch.from = Bounds::kInf;
     stretch.to = -Bounds::kInf;
-    if (part.leaf->ball().is_missed_by(ray)) return;
-    const Ray own = part.move ? Ray{part.move->inverse_point(ray.origin),
-                                    part.move->inverse_vector(ray.direction)}
-                              : ray;
-    stretch.count = part.shape.crossings(own, t_min, stretch.found);
+    stretch.is_asked = !part.leaf->ball().is_missed_by(ray);
+    if (!stretch.is_asked) return;
+    std::construct_at(&stretch.own, part.move ? Ray{part.move->inverse_point(ray.origin),
+                                                    part.move->inverse_vector(ray.direction)}
+                                              : ray);
+    stretch.count = part.shape.crossings(stretch.own, t_min, stretch.found);
     if (stretch.count == 0) return;
     stretch.from = stretch.found[0].t;
     stretch.to = stretch.found[stretch.count - 1].t;
@@ -143,13 +159,13 @@ Answer ConvexParts::keeps(const Line& line, std::size_t part, double t) const {
   bool seems_kept = true;
   for (std::size_t i = 0; i < m_parts.size(); ++i) {
     if (i == part || line.in[i].has(t) != m_parts[i].is_inverse) continue;
-    if (m_parts[i].holds(p) == Answer::kNo) return Answer::kNo;
+    if (line.holds(m_parts[i], line.in[i], t, p) == Answer::kNo) return Answer::kNo;
     seems_kept = false;
   }
   if (!seems_kept) return Answer::kUnclear;
   for (std::size_t i = 0; i < m_parts.size(); ++i) {
     if (i == part) continue;
-    const Answer answer = m_parts[i].holds(p);
+    const Answer answer = line.holds(m_parts[i], line.in[i], t, p);
     if (answer != Answer::kYes) return answer;
   }
   return Answer::kYes;
@@ -181,7 +197,7 @@ bool ConvexParts::for_crossings(const Ray& ray, double t_min, const double& limi
     }
   }
   for (std::size_t i = 1; i < m_parts.size(); ++i) line.meet(m_parts[i], line.in[i]);
-  if (m_pairs_count && line.has_pairs(m_parts.size())) return false;
+  if (m_pairs_count && line.has_pairs(m_parts.size(), passage)) return false;
   for (std::size_t i = 0; i < m_parts.size(); ++i) {
     for (int k = 0; k < line.in[i].count; ++k) {
       const Crossing& found = line.in[i].found[k];

@@ -40,6 +40,8 @@ class ConvexParts {
     bool is_inverse;
     /// Whether the part surely holds the world's point or surely does not.
     Answer holds(const Vec3& p) const;
+    /// The same of a point of the shape's space.
+    Answer holds_own(const Vec3& p) const;
   };
   struct Line;
   ConvexParts(std::vector<Part> parts, double reach, bool pairs_count)

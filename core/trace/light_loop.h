@@ -168,7 +168,8 @@ class LightLoop {
     }
   }
 
-  /// Gives what arrives to receiver.receive(incoming).
+  /// Gives what arrives to receiver.receive(incoming). receiver.may_show(incoming) is asked before filters are: false,
+  /// where whatever they leave changes nothing.
   template <class Receiver>
   [[gnu::always_inline]] static void resolve(const IncomingLight& incoming, Receiver& receiver) {
     if (!is_dark(incoming.colour)) receiver.receive(incoming);
@@ -207,6 +208,10 @@ class LightLoop {
           if (!faces_known(m_sources[i], lit.point, facing, known, incoming)) continue;
           if (m_asked_again && known.is_known[i]) {
             incoming.colour = known.arriving[i];
+          } else if (!m_asked_again && answer == LightAnswers::kFiltered &&
+                     !receiver.may_show(incoming)) {
+            m_plain->count(i, false, false);
+            continue;
           } else {
             pass(answer, lit, incoming, known);
           }

@@ -72,6 +72,7 @@ class MediaLight::Probe final : public MediaProbe {
     struct Receiver {
       const Probe& probe;
       Rgb sum{};
+      bool may_show(const IncomingLight&) const { return true; }
       void receive(const IncomingLight& light) {
         sum += probe.going_on(light.colour, light.ray.direction);
       }

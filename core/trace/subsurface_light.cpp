@@ -74,6 +74,7 @@ struct SubsurfaceLight::Receiver {
   const Vec3& normal;
   double ior;
   Rgb sum{};
+  bool may_show(const IncomingLight&) const { return true; }
   void receive(const IncomingLight& incoming) {
     const double cosine = std::fabs(dot(normal, incoming.ray.direction));
     double part = cosine * transmittance(cosine, ior);

@@ -196,6 +196,23 @@ struct SurfaceShading::Receiver {
       return receive_points(light);
     receive_from(*light.source, light.ray, light.colour);
   }
+  /// False: no part of the light, nor what strengthens it less than 1e10 times, changes the sum.
+  bool may_show(const IncomingLight& light) const {
+    if (light.source->has_points || finish.crand > 0.0) return true;
+    const double cosine = dot(facing.normal, light.ray.direction);
+    const bool behind = facing.is_behind(cosine);
+    const double diffuse = behind ? finish.diffuse_back : finish.diffuse;
+    if (diffuse > 0.0 && diffuse * opacity != 0.0) return true;
+    if (!shines || light.source->shadowless || behind) return false;
+    constexpr double kNothing = 1e-60;  // far below the least float
+    const LayerLight on{light.ray.direction, surface.ray().direction, facing.normal, light.colour,
+                        pigment};
+    const Rgb& c = light.colour;
+    const double most = std::max({std::fabs(c.r), std::fabs(c.g), std::fabs(c.b)});
+    const double phong = finish.phong > 0.0 ? phong_intensity(finish, on) : 0.0;
+    const double specular = finish.specular > 0.0 ? specular_intensity(finish, on) : 0.0;
+    return !((phong + specular) * most < kNothing);
+  }
   /// Of each point of an area light, with the shadow that all of the light has.
   [[gnu::noinline]] void receive_points(const IncomingLight& all) {
     const LightSource& source = *all.source;

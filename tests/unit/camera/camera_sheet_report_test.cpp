@@ -125,6 +125,23 @@ TEST(UnitCameraSheetReport, SizesAndResolution) {
   EXPECT_TRUE(camera_sheet_report_has_line(finite.report, "Print 49.")) << all(finite.report);
 }
 
+/// Bounds of large objects take long to find.
+TEST(UnitCameraSheetReport, AsksForTheBoundsOfAnObjectOnce) {
+  int asked = 0;
+  const SceneProbe ball = ball_at({1, 2, 0}, 1.0);
+  const Sheet sheet = sheet_of([&](const Ray& ray, double limit) {
+    std::optional<ProbeHit> hit = ball(ray, limit);
+    if (!hit) return hit;
+    hit->bounds = [&asked, bounds = hit->bounds] {
+      ++asked;
+      return bounds();
+    };
+    return hit;
+  });
+  EXPECT_TRUE(camera_sheet_report_has_line(sheet.report, "Nearest visible point"));
+  EXPECT_EQ(asked, 1);
+}
+
 TEST(UnitCameraSheetReport, NearestAndFarthestVisiblePoints) {
   // A ball before the sheet hides one half as near to the eye; a wall stands behind both.
   const Sheet sheet = sheet_of(both(

@@ -32,6 +32,7 @@ struct LightLoopSum {
   const Vec3& normal;
   std::vector<std::uint32_t> order;
   Rgb sum{};
+  bool may_show(const IncomingLight&) const { return true; }
   void receive(const IncomingLight& light) {
     order.push_back(light.source->index);
     sum += light.colour * static_cast<float>(dot(normal, light.ray.direction));
