@@ -1,21 +1,38 @@
 #include "parser/restrictions/run_rules.h"
 
+#include <algorithm>
 #include <filesystem>
 #include <utility>
 
+#include "parser/base/shown.h"
+#include "parser/options/create_ini.h"
 #include "parser/restrictions/povray_conf.h"
-#include "parser/restrictions/restricted_files.h"
 
 namespace lentray::parser {
 namespace {
 
 namespace fs = std::filesystem;
 
+std::string picture_of(const RenderOptions& o) {
+  core::FileType type = o.type;
+  return o.output_to_file ? output_path(o, type) : "";
+}
+
+void check_stays(const fs::path& name, const fs::path& folder) {
+  std::error_code error;
+  const fs::path base = fs::canonical(folder.empty() ? "." : folder, error);
+  const fs::path place = fs::weakly_canonical(fs::absolute(name, error), error);
+  // What cannot be written is told by whoever writes it.
+  if (error || std::ranges::mismatch(base, place).in1 == base.end()) return;
+  throw OptionError("Restrict_IO: '" + shown_name(name.string()) + "' (" +
+                    shown_name(place.string()) +
+                    ") is refused: a link to it may have come with the scene; give its whole name");
+}
+
 UsersFolders users_folders(const RenderOptions& o, const std::string& scene) {
   UsersFolders out;
   out.scene = fs::path(scene).parent_path().string();
-  core::FileType type = o.type;
-  const std::string picture = o.output_to_file ? output_path(o, type) : "";
+  const std::string picture = picture_of(o);
   if (picture != "-") out.output = fs::path(picture).parent_path().string();
   out.libraries = o.users_libraries;
   out.libraries.insert(out.libraries.end(), o.permitted_paths.begin(), o.permitted_paths.end());
@@ -34,16 +51,33 @@ FileRules run_rules(const RenderOptions& o, const std::string& scene,
   return FileRules(users_folders(o, scene), std::move(confs));
 }
 
-void judge_picture(const RenderOptions& o, const std::string& picture) {
-  std::error_code error;
-  const bool names_folder = o.output.empty() || o.output.ends_with('/');
-  if (!o.restrict_io || !names_folder || !fs::is_symlink(picture, error)) return;
-  try {
-    std::vector<std::string> said_elsewhere;
-    (void)RestrictedFiles(run_rules(o, o.input, said_elsewhere)).may_write(picture);
-  } catch (const FileRefused& why) {
-    throw OptionError(why.what());
+std::vector<std::string> outputs_of(const RenderOptions& o) {
+  return {picture_of(o),
+          o.statistics_file.empty() ? "" : frame_path(o, o.statistics_file),
+          o.dependencies_file.empty() ? "" : frame_path(o, o.dependencies_file),
+          o.view_cameras,
+          o.depth_view,
+          o.dump_rays,
+          o.radiosity_to_file ? o.radiosity_file : "",
+          o.debug_file,
+          o.warning_file,
+          o.statistic_file,
+          o.render_file,
+          o.fatal_file,
+          o.all_file,
+          ini_path(o)};
+}
+
+void judge_outputs(const RenderOptions& o) {
+  if (!o.restrict_io) return;
+  for (const std::string& name : outputs_of(o)) {
+    const fs::path path = name;
+    if (!name.empty() && name != "-" && path.is_relative() && *path.begin() != "..")
+      check_stays(path, ".");
   }
+  const fs::path picture = picture_of(o);
+  const bool names_folder = o.output.empty() || o.output.ends_with('/');
+  if (names_folder && !picture.empty()) check_stays(picture, picture.parent_path());
 }
 
 }  // namespace lentray::parser

@@ -15,8 +15,11 @@ namespace lentray::parser {
 FileRules run_rules(const RenderOptions& options, const std::string& scene,
                     std::vector<std::string>& warnings);
 
-/// Throws OptionError if the picture's place is a link to where the rules permit no writing, and the user named its
-/// folder at most: the link may have come with the scene.
-void judge_picture(const RenderOptions& options, const std::string& picture);
+/// Names of all files that the user's own words have the run write; of a frame those of its own. Empty ones: none.
+std::vector<std::string> outputs_of(const RenderOptions& options);
+
+/// With Restrict_IO=On: throws OptionError if an output leads out of the current folder through a link in it, or a
+/// picture out of the folder that the user named: the link may have come with the scene.
+void judge_outputs(const RenderOptions& options);
 
 }  // namespace lentray::parser

@@ -241,14 +241,90 @@ def sticky(place, binaries):
             expect(status == 1 and "is refused" in said and "it stays on" in said, words, status, said)
 
 
-def links_of_pictures(place, binaries):
-    """A link where a picture without a name goes."""
+def links_of_outputs(place, binaries):
+    """Links of the current folder where outputs go: they may have come with the scene. A whole name is the user's."""
+    cases = [([], "a.png"), (["+Ob.png"], "b.png"), (["+O./"], "a.png"), (["+Osub/b.png"], "sub/b.png"), (["+OROOT/strangers/"], "a.png"),
+             (["Debug_File=true"], "debug.out"), (["Debug_File=t"], "t"), (["All_File=t"], "t"), (["Statistics_File=s.json"], "s.json"),
+             (["Dependencies_File=s.json"], "s.json"), (["Create_Ini=On"], "a.ini"), (["+RFO", "+RFx"], "x"),
+             (["-F", "--dump-rays", "rays"], "rays"), (["+KFF2", "+Ob.png"], "b2.png"), (["+Oin/b.png"], "in")]
+    for words, name in cases:
+        with tempfile.TemporaryDirectory(dir=place) as root:
+            world = World(root, binaries)
+            world.put("", SCENE + '#debug "alias ls=evil\\n"\n')
+            (world.root / "strangers/a.ini").unlink()
+            folder = name == "in"
+            (world.root / "strangers" / name).symlink_to(world.root / ("victim" if folder else "victim/rc"))
+            words = [word.replace("ROOT", str(world.root)) for word in words]
+            status, said = world.run("lentray", "Restrict_IO=On", "+Ia.pov", "+W8", "+H6", "-V", *words, cwd="strangers")
+            expect(status == 1 and "may have come with the scene" in said, words, name, status, said)
+            expect(world.outside() == world.before, words, name, "changed")
     with tempfile.TemporaryDirectory(dir=place) as root:
         world = World(root, binaries)
         world.put("")
-        (world.root / "strangers/a.png").symlink_to("../victim/rc")
-        status, said = world.run("lentray", "Restrict_IO=On", "+Ia.pov", "+W8", "+H6", "-V", cwd="strangers")
-        expect(status == 1 and world.outside() == world.before, "a link under the picture's name", status, said)
+        (world.root / "strangers/in").symlink_to("../work")
+        for name in (f"{world.root}/strangers/in/a.png", "../work/b.png", "sub/c.png"):
+            status, said = world.run("lentray", "Restrict_IO=On", "+Ia.pov", "+W8", "+H6", "-V", "+O" + name, cwd="strangers")
+            expect(status == 0 and (world.root / "strangers" / name).exists(), "the user's own name", name, status, said)
+
+
+def rows_of_strangers(place, binaries):
+    """A manifest that came with the scenes gives no picture a place elsewhere."""
+    with tempfile.TemporaryDirectory(dir=place) as root:
+        world = World(root, binaries)
+        world.put("")
+        out = world.root / "strangers/out"
+        out.mkdir()
+        (out / "manifest.jsonl").write_text("".join(json.dumps(
+            {"name": name, "source": str(world.root / "strangers/a.pov"), "state": "done", "picture": "../../victim/rc", "files": {}}) + "\n"
+            for name in ("../../victim/x", str(world.root / "victim/x"))))
+        status, said = world.run("lentray-batch", "../strangers", "--out", "../strangers/out", "+W8", "+H6", "--quiet")
+        expect(status == 0 and (out / "a.png").exists() and world.outside() == world.before, "rows of strangers", status, said)
+
+
+SBATCH = """#!/usr/bin/env python3
+# Runs the tasks at once.
+import os, subprocess, sys
+tasks, log = ([w.split("=")[1] for w in sys.argv if w.startswith(option)][0] for option in ("--array=", "--output="))
+for task in tasks.split(","):
+    first, _, last = task.partition("-")
+    for i in range(int(first), int(last or first) + 1):
+        with open(log.replace("%a", str(i)), "w") as out:
+            subprocess.run(["sh", sys.argv[-1]], env=dict(os.environ, SLURM_ARRAY_TASK_ID=str(i)), stdout=out, stderr=out)
+print(7)
+"""
+
+
+def tasks_of_strangers(place, binaries):
+    """A run on a cluster that came with the scenes: neither its script nor its scenes are obeyed."""
+    words = ["../strangers", "--out", "../strangers/out", "+W8", "+H6", "--quiet", "--slurm"]
+    path = os.environ["PATH"]
+    for source in ("strangers/a.pov", "victim/secret.pov"):
+        with tempfile.TemporaryDirectory(dir=place) as root:
+            world = World(root, binaries)
+            world.put("")
+            (world.root / "victim/secret.pov").write_text(SCENE + '#error "SECRET"\n')
+            world.before = world.outside()
+            slurm = world.root / "slurm"
+            slurm.mkdir()
+            for name, text in (("sinfo", "#!/bin/sh\necho 0/2/0/2\n"), ("squeue", "#!/bin/sh\n"), ("sbatch", SBATCH)):
+                (slurm / name).write_text(text)
+                (slurm / name).chmod(0o755)
+            run = world.root / "strangers/out/.lentray-batch/slurm/run"
+            for folder in ("results", "scratch", "logs"):
+                (run / folder).mkdir(parents=True)
+            (run.parent / "current").write_text("run 7")
+            (run / "command.json").write_text(json.dumps({"words": words, "folder": str(world.root / "work")}))
+            (run / "tasks.jsonl").write_text(json.dumps([{"name": "a", "band": 0, "bands": 1, "first_row": 1, "last_row": 0,
+                "seconds": 1.0, "source": str(world.root / source), "scene": "a", "ini": ""}]) + "\n")
+            (run / "task.sh").write_text(f"touch {world.root}/victim/touched\n")
+            os.environ["PATH"] = f"{slurm}:{path}"
+            status, said = world.run("lentray-batch", *words)
+            os.environ["PATH"] = path
+            told = said + "".join(log.read_text() for log in run.glob("logs/*"))
+            expect(world.outside() == world.before, source, "changed", told)
+            expect("SECRET" not in told, source, told)
+            expect((status == 0) == source.startswith("strangers"), source, "status", status, told)
+            expect(status == 0 or "which is no scene of this batch" in told, source, told)
 
 
 def main():
@@ -259,7 +335,9 @@ def main():
         folders(place, binaries)
         sticky(place, binaries)
         links_of_folders(place, binaries)
-        links_of_pictures(place, binaries)
+        links_of_outputs(place, binaries)
+        rows_of_strangers(place, binaries)
+        tasks_of_strangers(place, binaries)
         photons(place, binaries)
     return verdict("strangers' scenes: all hold")
 

@@ -24,18 +24,17 @@ State state_named(const std::string& name) {
   throw std::invalid_argument("no state of a row: " + name);
 }
 
-/// A place below the manifest's folder: a row that came with scenes names no other file.
-bool is_below(const std::string& place) {
-  const std::filesystem::path path = place;
-  return path.is_relative() && std::ranges::find(path, "..") == path.end();
-}
-
 bool names_places_below(const Row& row) {
-  return is_below(row.picture) && std::ranges::all_of(row.views, is_below) &&
+  return is_below(row.name) && is_below(row.picture) && std::ranges::all_of(row.views, is_below) &&
          (!row.verdict || (is_below(row.verdict->stock) && is_below(row.verdict->difference)));
 }
 
 }  // namespace
+
+bool is_below(const std::string& name) {
+  const std::filesystem::path path = name;
+  return path.is_relative() && std::ranges::find(path, "..") == path.end();
+}
 
 std::string_view name_of(State state) { return kStates.at(static_cast<std::size_t>(state)); }
 

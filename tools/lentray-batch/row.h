@@ -79,6 +79,9 @@ struct Row {
   std::vector<std::string> missing;        ///< absolute paths that were looked for in vain
 };
 
+/// Whether a name leads to a place below a folder: one of a row or task that came with scenes may lead elsewhere.
+bool is_below(const std::string& name);
+
 nlohmann::json json_of(const Row& row);
 Row row_of(const nlohmann::json& json);
 /// All rows of a file that has one a line; the last one of a name holds. Lines that are cut off are passed over.

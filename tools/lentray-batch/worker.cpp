@@ -62,7 +62,7 @@ void append(const fs::path& file, const Row& row) {
 std::unique_ptr<Job> job_of(const Plan& plan, const Work& work) {
   const Scene& scene = work.scene;
   const bool has_ini = !scene.ini.empty();
-  if (folders_of(plan.arguments.inputs, scene.source).empty() ||
+  if (!is_below(scene.name) || folders_of(plan.arguments.inputs, scene.source).empty() ||
       (has_ini &&
        fs::path(scene.ini).replace_extension() != fs::path(scene.source).replace_extension()))
     throw std::runtime_error("a task names '" + scene.source.string() +

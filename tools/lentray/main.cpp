@@ -21,6 +21,7 @@
 #include "parser/options/lens_sheets.h"
 #include "parser/options/options.h"
 #include "parser/options/options_help.h"
+#include "parser/restrictions/run_rules.h"
 #include "parser/source/build_error.h"
 #include "parser/source/diagnostics.h"
 #include "tools/common/machine.h"
@@ -156,6 +157,7 @@ int run_main(int argc, char** argv) {
       const auto files = parser::installed_lens_sheet_files();
       std::fputs(parser::lens_sheet_list(options, files).c_str(), stdout);
     } else {
+      parser::judge_outputs(options);
       out.texts.emplace(options);
       out.form = tool::make_message_form(options.stock_messages.value_or(as_povray), *out.texts);
     }

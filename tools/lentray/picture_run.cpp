@@ -74,6 +74,7 @@ void check_order(const RenderOptions& o) {
 /// Files are asked for before anything is read, so that no work is lost on them.
 void check_outputs(Run& run) {
   const RenderOptions& o = run.options;
+  parser::judge_outputs(o);
   core::claim_writable(o.dump_rays, "--dump-rays");
   core::claim_writable(sheet_file(o, o.depth_view), "--depth-view");
   core::claim_writable(sheet_file(o, o.view_cameras), "View_Cameras");
@@ -91,7 +92,6 @@ void check_outputs(Run& run) {
   if (!o.output_to_file) return;
   core::claim_writable(RadiosityStore::output(o), "Radiosity_File_Name");
   run.output = parser::output_path(o, run.type);
-  parser::judge_picture(o, run.output);
   core::claim_writable(run.output, "the picture");
 }
 

@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "core/base/ignored_error.h"
-#include "parser/options/create_ini.h"
 #include "parser/restrictions/povray_conf.h"
 #include "parser/restrictions/run_rules.h"
 #include "tools/common/sandbox.h"
@@ -35,25 +34,6 @@ constexpr const char* kSystemPlaces[] = {"/usr",
                                          "/dev/urandom"};
 constexpr const char* kEndlessFiles[] = {"/dev/null", "/dev/zero", "/dev/full"};
 
-/// All that the user's own words have the run write.
-std::vector<std::string> outputs_of(const RenderOptions& o) {
-  core::FileType type = o.type;
-  return {o.output_to_file ? parser::output_path(o, type) : "",
-          o.statistics_file,
-          o.dependencies_file,
-          o.view_cameras,
-          o.depth_view,
-          o.dump_rays,
-          o.radiosity_file,
-          o.debug_file,
-          o.warning_file,
-          o.statistic_file,
-          o.render_file,
-          o.fatal_file,
-          o.all_file,
-          parser::ini_path(o)};
-}
-
 /// A file is written beside its place and renamed; what is no plain file goes through a temporary one.
 void add_output(const std::string& name, SandboxPlaces& places) {
   if (name.empty()) return;
@@ -79,7 +59,8 @@ SandboxPlaces places_of(const RenderOptions& o) {
   places.reads.push_back(fs::read_symlink("/proc/self/exe", core::ignored_error()).parent_path());
   places.reads.emplace_back("/proc/self");
   places.writes.insert(places.writes.end(), std::begin(kEndlessFiles), std::end(kEndlessFiles));
-  for (const std::string& name : outputs_of(o)) add_output(name, places);
+  for (const std::string& name : parser::outputs_of(o)) add_output(name, places);
+  add_output(o.radiosity_file, places);  // which may be read alone
   if (o.input == "-") add_output("-", places);
   return places;
 }

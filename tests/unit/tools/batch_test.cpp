@@ -191,6 +191,11 @@ TEST_F(UnitBatch, RowsNameFilesBelowTheirManifest) {
   EXPECT_FALSE(is_taken());
   row.picture = "sub/../../a.png";
   EXPECT_FALSE(is_taken());
+  row.picture = "a.png";
+  for (const char* name : {"../a", "/tmp/a", "sub/../../a"}) {
+    row.name = name;
+    EXPECT_FALSE(is_taken()) << "the scene's pictures would keep that name";
+  }
 }
 
 TEST_F(UnitBatch, NamesAreUniqueAndStay) {
