@@ -45,6 +45,7 @@ set(documents ${CMAKE_INSTALL_DATADIR}/doc/lentray)
 install(FILES README.md CHANGELOG.md LICENSE DESTINATION ${documents})
 install(DIRECTORY docs/ DESTINATION ${documents}/docs)
 install(DIRECTORY scenes/ DESTINATION ${documents}/examples)
+install(DIRECTORY tools/service/ DESTINATION ${documents}/service)  # examples too: docs/service.md
 
 # What Debian's policy asks of every package.
 string(TIMESTAMP package_date "%a, %d %b %Y %H:%M:%S +0000" UTC)

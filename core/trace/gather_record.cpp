@@ -31,10 +31,12 @@ std::string bytes_of(const GatherState& state, const IrradianceCache& cache,
 }
 
 bool take_gather(std::string_view bytes, GatherState& state, IrradianceCache& cache) {
+  std::uint8_t is_kept = 0;  // a bool holds no other byte than 0 and 1
   if (!take_bytes(bytes, state.light.light) || !take_bytes(bytes, state.light.quality) ||
-      !take_bytes(bytes, state.light.is_kept) || !take_bytes(bytes, state.gathers) ||
+      !take_bytes(bytes, is_kept) || !take_bytes(bytes, state.gathers) ||
       !take_bytes(bytes, state.importance))
     return false;
+  state.light.is_kept = is_kept != 0;
   state.places.resize(static_cast<std::size_t>(cache.depths()));
   state.counts.resize(state.places.size());
   for (std::size_t depth = 0; depth < state.places.size(); ++depth) {

@@ -1,10 +1,5 @@
 #include "tests/fuzz/file_input.h"
 
-#include <unistd.h>
-
-#include <cstdio>
-#include <filesystem>
-#include <fstream>
 #include <limits>
 #include <memory>
 #include <string_view>
@@ -15,6 +10,7 @@
 #include "core/trace/thread_context.h"
 #include "parser/read_scene.h"
 #include "shadow/tester_factory.h"
+#include "tests/fuzz/input_file.h"
 
 namespace lentray::test {
 namespace {
@@ -37,24 +33,6 @@ constexpr Kind kPictures[] = {{"\x89PNG\r\n\x1a\n"sv, "png"},
                               {"#?RADIANCE"sv, "hdr"},
                               {""sv, "tga"}};
 constexpr std::string_view kFonts[] = {"\0\1\0\0"sv, "OTTO"sv, "true"sv, "ttcf"sv};
-
-/// In memory where there is such a folder.
-class InputFile {
- public:
-  InputFile(const std::uint8_t* data, std::size_t size) {
-    const std::string folder = std::filesystem::is_directory("/dev/shm") ? "/dev/shm" : "/tmp";
-    m_path = folder + "/lentray-fuzz-" + std::to_string(getpid());
-    std::ofstream(m_path, std::ios::binary)
-        .write(reinterpret_cast<const char*>(data), static_cast<std::streamsize>(size));
-  }
-  ~InputFile() { std::remove(m_path.c_str()); }
-  InputFile(const InputFile&) = delete;
-  InputFile& operator=(const InputFile&) = delete;
-  std::string quoted() const { return '"' + m_path + '"'; }
-
- private:
-  std::string m_path;
-};
 
 class SceneFiles final : public parser::Files {
  public:
@@ -127,7 +105,7 @@ std::string use_picture(const std::uint8_t* data, std::size_t size) {
                        " texture { pigment { rgb x } } texture { pigment { rgb y } } } } }\n"));
 }
 
-std::string use_font_or_densities(const std::uint8_t* data, std::size_t size) {
+std::string use_data(const std::uint8_t* data, std::size_t size) {
   const std::string_view bytes(reinterpret_cast<const char*>(data), size);
   const InputFile file(data, size);
   for (const std::string_view head : kFonts) {

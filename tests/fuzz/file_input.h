@@ -13,6 +13,6 @@ namespace lentray::test {
 std::string use_picture(const std::uint8_t* data, std::size_t size);
 
 /// TrueType and OpenType fonts by their first bytes, else .df3. Returns as use_picture().
-std::string use_font_or_densities(const std::uint8_t* data, std::size_t size);
+std::string use_data(const std::uint8_t* data, std::size_t size);
 
 }  // namespace lentray::test

@@ -1,4 +1,4 @@
-// libFuzzer's entries: inputs are scenes; see tests/fuzz/fuzz.sh.
+// The fuzzer of scenes: what entry.cpp gives inputs to, and libFuzzer's mutators, which change tokens.
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>
@@ -24,14 +24,19 @@ std::size_t put(const std::string& text, std::uint8_t* out) {
 
 }  // namespace
 
-extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+namespace lentray::test {
+
+/// The messages that end it are of no use here.
+std::string use_scene(const std::uint8_t* data, std::size_t size) {
   static const MemoryFiles::Library library = [] {
     const char* folder = std::getenv("LENTRAY_FUZZ_INCLUDES");
     return include_files(folder ? folder : "/usr/share/povray-3.7/include");
   }();
   read_input(text_of(data, size), library);
-  return 0;
+  return {};
 }
+
+}  // namespace lentray::test
 
 extern "C" std::size_t LLVMFuzzerCustomMutator(std::uint8_t* data, std::size_t size,
                                                std::size_t most, unsigned seed) {

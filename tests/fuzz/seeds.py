@@ -4,8 +4,16 @@
     scene    every language case, our scenes, stock's small examples and includes
     picture  small pictures that are installed, and one that stock writes in each of its file types
     data     small fonts that are installed, and density files of each width
+    ini      our option groups, stock's INI files, profiles of lens sheets
+    manifest rows of pictures, frames, views, comparisons, and broken ones
+    journal  journals and passes, empty and with records; where lentray is built, what it keeps of radiosity too
+What was found before, tests/fuzz/inputs/KIND, is among them.
 """
+import json
+import os
 import pathlib
+import re
+import shutil
 import struct
 import subprocess
 import sys
@@ -117,10 +125,157 @@ def data():
     return out
 
 
+INI = ["""; a comment
+[a]
+Width=64
+Height="48"
++A0.1 -D Antialias_Depth=2 # behind it
+[b]
++W9 +H7
+""", """Initial_Frame=1 
+Final_Frame=12
+Initial_Clock=0.5
+Final_Clock=2
+Cyclic_Animation=on
+Subset_Start_Frame=0.25
+Subset_End_Frame=9
+Frame_Step=2
+Clock=3
+""", """Lenticular=On
+Lens_LPI=60.02
+Lens_Thickness=0.65mm
+Lens_IOR=1.57
+Views=8
+View=3
+Sheet_Width=10in
+Sheet_Height=80mm
+Lens_Sheet=a
+[a]
+Lens_LPI=75
+Lens_Thickness=18mil
+""", """Library_Path="some where"
+Include_Header=h.inc
+Declare=A=1.5
+Declare=B="x"
+Input_File_Name='a=b.pov'
+Output_File_Name=out/
+Output_File_Type=N16
+File_Gamma=2.2
+Restrict_IO=On
+Permitted_Path=.
+Post_Scene_Command=true %o
+Post_Scene_Return=!F
+Statistics_File=s.json
+""", """Start_Column=0.2
+End_Column=12
+Start_Row=3
+End_Row=0.9
+Sampling_Method=2
+Jitter_Amount=0.5
+Max_Time=3
+Max_Memory=1e9
+Pixel_Order=hilbert
+Shadow_Cache=off
+Create_Ini=x.ini
+Append_File=On
+Debug_File=d.txt
+"""]
+
+
+def inis():
+    texts = [text.encode() for text in INI]
+    texts += [text.encode("latin-1") for text in whole(EXAMPLES, "*.ini")]
+    # Every name that the help knows, a few at a time: names are hard to come by.
+    names = sorted(set(re.findall(r'"([A-Z][A-Za-z]*_[A-Za-z_]*)[="]', (ROOT / "parser/options/options_help.cpp").read_text())))
+    for value in ("1", "On", "x"):
+        texts += [f"{name}={value}\n".encode() for name in names]
+    return texts
+
+
+def manifests():
+    still = {"name": "a/b", "source": "/s/a/b.pov", "state": "done", "attempts": 1, "files": {"/s/a/b.pov": [12, 34, 56]},
+             "picture": "a/b.png", "width": 640, "height": 480, "bytes": 1000, "messages": ["a.pov:1:2: warning: x"],
+             "warnings": 1, "wall_s": 1.5, "cpu_s": 1.25, "rendering_s": 1, "memory": 1 << 20, "key": "0123456789abcdef",
+             "command": ["lentray", "+Ia.pov"], "finished": "2026-01-02T03:04:05Z", "missing": ["/s/x.inc"]}
+    frame = {**still, "name": "a#07", "frame": 7, "views": ["v/0.png", "v/1.png"], "lens_pixels": 8.5, "left_out": ["media"]}
+    verdict = {"grade": "close", "note": "n", "psnr": 41.5, "beyond_1": 0.1, "largest": 3, "noise_rms": 0.5, "stock": "c/s.png",
+               "difference": "c/h.png", "stock_cpu_s": 2, "lens_grades": {"exact": 3}, "view_grades": {"close": 1}}
+    failed = {"name": "\u00e4~2", "source": "/s/c.pov", "state": "failed", "attempts": 3, "files": {}, "reason": "no room",
+              "status": 137, "limits": "60 s", "band": "2/16", "lacks_room": True}
+    rows = [still, frame, {**still, "name": "d", "verdict": verdict}, failed, {**failed, "name": "e", "state": "skipped"}]
+    lines = [json.dumps(row) for row in rows]
+    return [line.encode() + b"\n" for line in lines] + ["\n".join(lines).encode(), lines[0][:90].encode() + b"\n" + lines[3].encode()]
+
+
+IDENTITY = b"program 0.1.0 0\noption Width=12\noption clock 0 of 0 to 0, delta 0, on 0\nfile 0000000000000001 \n"
+PASSING = """#version 3.7; global_settings { assumed_gamma 1 photons { spacing 0.3 media 0 }
+radiosity { count 8 error_bound 1 recursion_limit 2 } }
+camera { location <0, 1, -4> look_at 0 } light_source { <3, 5, -4>, 1 }
+plane { y, -1 pigment { rgb 1 } } sphere { 0, 1 pigment { rgbf 1 } interior { ior 1.5 }
+photons { target refraction on reflection on } }
+"""
+
+
+def piece(data):
+    """With its length; the fuzzer mends checksums."""
+    return struct.pack("<QQ", len(data), 0) + data
+
+
+def journal(finished, *records):
+    """Records: a stage and pixels."""
+    out = b"lentray journal\0" + struct.pack("<II", 1, finished) + piece(IDENTITY)
+    for stage, pixels in records:
+        out += struct.pack("<IIIIQ", 0x4c525031, stage, len(pixels), 0, 0)
+        out += b"".join(struct.pack("<II", *pixel) for pixel in pixels)
+        out += b"".join(struct.pack("<4f", 0.25, 0.5, 1, 0) for _ in pixels)
+    return out
+
+
+def passes(*records):
+    """Records: the pass's number and its bytes."""
+    out = b"lentray passes\0\0" + struct.pack("<Q", 1) + piece(IDENTITY)
+    return out + b"".join(struct.pack("<II", 0x4c525041, number) + piece(data) for number, data in records)
+
+
+def kept_radiosity():
+    """What lentray keeps of the scene that the fuzzer renders, and the samples in it as the records of a pass."""
+    program = next((p for p in (ROOT / "build/release/bin/lentray", ROOT / "build/fuzz/bin/lentray", shutil.which("lentray"))
+                    if p and pathlib.Path(p).exists()), None)
+    if program is None:
+        return
+    with tempfile.TemporaryDirectory() as folder:
+        pathlib.Path(folder, "s.pov").write_text(PASSING)
+        for name in ("kept.lentray-light", "kept.rca"):
+            subprocess.run([program, "s.pov", "+W12", "+H9", f"+RF{name}", "+RFO"], cwd=folder, check=False, capture_output=True,
+                           env={**os.environ, "HOME": folder})
+            path = pathlib.Path(folder, name)
+            if path.exists():
+                yield path.read_bytes()
+
+
+def journals():
+    row = [(column, 4) for column in range(12)]
+    all_pixels = [(column, r) for r in range(9) for column in range(12)]
+    photon = struct.pack("<3f4B4b", 0.1, -1, 0.2, 128, 128, 128, 250, 1, 5, 7, 0)
+    told = [photon + struct.pack("<II", kind, 3) for kind in range(4)]
+    sample = struct.pack("<9d6f", *[0.1] * 9, *[0.5] * 6)
+    counts = struct.pack("<QQQQdQ", 2, 1, 1, 8, 1, 0)
+    gather = struct.pack("<3fdBQf", 1, 1, 1, 0.5, 1, 3, 1) + (counts + struct.pack("<Q", 1) + sample) * 2
+    return [journal(0), journal(1), journal(0, (0, row)), journal(0, (0, row), (1, row)), journal(0, (0, all_pixels), (1, all_pixels)),
+            passes(), passes((0, b"")), passes((0, b"".join(told))), passes((0, told[0]), (0, told[2]), (1, gather)),
+            passes((1, gather), (1, gather)), *kept_radiosity()]
+
+
+def found_before(kind):
+    folder = ROOT / "tests/fuzz/inputs" / kind
+    return [path.read_bytes() for path in sorted(folder.iterdir())] if folder.is_dir() else []
+
+
 def main():
     kind, out = sys.argv[1], pathlib.Path(sys.argv[2])
     out.mkdir(parents=True, exist_ok=True)
-    seeds = {"scene": scenes, "picture": pictures, "data": data}[kind]()
+    seeds = {"scene": scenes, "picture": pictures, "data": data, "ini": inis, "manifest": manifests, "journal": journals}[kind]()
+    seeds += found_before(kind)
     for number, seed in enumerate(seeds):
         (out / f"{number:05}").write_bytes(seed)
     print(f"{len(seeds)} seeds")

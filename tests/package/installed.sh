@@ -18,7 +18,8 @@ for program; do
 done
 for file in lib/lentray/lentray_openimageio.so share/bash-completion/completions/lentray \
             share/zsh/vendor-completions/_lentray share/doc/lentray/LICENSE share/doc/lentray/README.md \
-            share/doc/lentray/docs/language.md share/doc/lentray/examples/demo.pov; do
+            share/doc/lentray/docs/language.md share/doc/lentray/examples/demo.pov \
+            share/doc/lentray/service/lentray@.service; do
   [ -s "$folder/its place/$file" ] || fail "$file is not installed"
 done
 PATH="$folder/its place/bin:$PATH"

@@ -5,8 +5,10 @@
 #include <filesystem>
 
 #include "tests/fuzz/file_input.h"
+#include "tests/fuzz/journal_input.h"
 #include "tests/fuzz/mutator.h"
 #include "tests/fuzz/read_input.h"
+#include "tests/fuzz/text_input.h"
 #include "tools/common/process.h"
 
 namespace lentray::test {
@@ -28,10 +30,12 @@ TEST(FuzzInputs, AllEnd) {
 }
 
 /// The sanitizers see leaks and reading beyond what there is.
-TEST(FuzzInputs, FilesOfPicturesFontsAndDensitiesAllEnd) {
-  std::size_t count = 0;
+TEST(FuzzInputs, OtherFilesAllEnd) {
   for (const auto& [folder, use] :
-       {std::pair{"picture", &use_picture}, std::pair{"data", &use_font_or_densities}}) {
+       {std::pair{"picture", &use_picture}, std::pair{"data", &use_data},
+        std::pair{"ini", &use_ini}, std::pair{"manifest", &use_manifest},
+        std::pair{"journal", &use_journal}}) {
+    std::size_t count = 0;
     for (const auto& entry :
          fs::directory_iterator(fs::path(LENTRAY_SOURCE_DIR) / "tests/fuzz/inputs" / folder)) {
       SCOPED_TRACE(entry.path().filename().string());
@@ -39,8 +43,8 @@ TEST(FuzzInputs, FilesOfPicturesFontsAndDensitiesAllEnd) {
       use(reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size());
       ++count;
     }
+    EXPECT_GT(count, 0u) << folder;
   }
-  EXPECT_GT(count, 0u);
 }
 
 TEST(FuzzMutator, KeepsWithinTheLengthAndTheVocabulary) {
