@@ -116,7 +116,7 @@ const char* end_of_name(OwnFile kind) {
   }
 }
 
-void use(const std::string& bytes) {
+void take_up(const std::string& bytes) {
   const OwnFile kind = own_file(bytes);
   const InputFile file(reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size(),
                        end_of_name(kind));
@@ -131,7 +131,7 @@ void use(const std::string& bytes) {
 std::string use_journal(const std::uint8_t* data, std::size_t size) {
   const std::string bytes(reinterpret_cast<const char*>(data), size);
   try {
-    use(sealed(bytes));
+    take_up(sealed(bytes));
   } catch (const parser::OptionError& error) {
     return error.what();
   } catch (const std::invalid_argument& error) {
