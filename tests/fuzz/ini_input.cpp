@@ -35,13 +35,18 @@ void read_again(const parser::RenderOptions& options) {
   const std::string text = parser::ini_text(options);
   const InputFile file(reinterpret_cast<const std::uint8_t*>(text.data()), text.size(),
                        "-again.ini");
-  const std::string again = parser::ini_text(options_of({file.path()}, {}));
-  if (again != text)
-    throw std::logic_error("Create_Ini: read again it says\n" + again + "instead of\n" + text);
+  std::string again;
+  try {
+    again = parser::ini_text(options_of({file.path()}, {}));
+  } catch (const parser::OptionError& error) {
+    again = error.what();
+  }
+  if (again != text) throw std::logic_error("read again:\n" + again + "\ninstead of:\n" + text);
 }
 
+/// Its message, if one ends it.
 template <typename Work>
-void run(std::string& message, Work work) {
+void note(std::string& message, Work work) {
   try {
     work();
   } catch (const parser::OptionError& error) {
@@ -56,10 +61,14 @@ void run(std::string& message, Work work) {
 std::string use_ini(const std::uint8_t* data, std::size_t size) {
   const InputFile file(data, size, ".ini");
   std::string message;
-  run(message, [&] { ask(options_of({"--scene-ini", file.path()}, {})); });
-  run(message, [&] { parser::lens_sheets(std::vector{file.path()}); });
-  run(message, [&] { ask(options_of({file.path() + "[a]", "Restrict_IO=On"}, {file.path()})); });
-  run(message, [&] { ask(options_of({file.path()}, {})); });
+  note(message, [&] { ask(options_of({"--scene-ini", file.path()}, {})); });
+  note(message, [&] { parser::lens_sheets(std::vector{file.path()}); });
+  note(message, [&] { ask(options_of({file.path() + "[a]", "Restrict_IO=On"}, {file.path()})); });
+  note(message, [&] {
+    const parser::RenderOptions options = options_of({file.path()}, {});
+    ask(options);
+    read_again(options);
+  });
   return message;
 }
 

@@ -42,9 +42,9 @@ class Picture final : public core::BandSink {
   std::uint64_t m_sum = 0;
 };
 
-class Run {
+class SmallRun {
  public:
-  explicit Run(const char* scene) {
+  explicit SmallRun(const char* scene) {
     m_files.add("scene.pov", scene);
     tool::Reading reading;
     reading.scene = "scene.pov";
@@ -77,7 +77,7 @@ class Run {
 };
 
 void continue_picture(const InputFile& file) {
-  static Run run(kPlain);
+  static SmallRun run(kPlain);
   const std::string picture = file.begin() + ".png";
   const auto earlier = tool::PictureJournal::earlier(picture);
   if (!earlier) return;
@@ -95,7 +95,7 @@ void continue_picture(const InputFile& file) {
 void continue_passes(const InputFile& file, const tool::Identity& identity) {
   tool::PassFile passes(file.begin() + ".png", identity, kAtOnce);
   passes.go_on();
-  Run(kPassing).render(0, nullptr, &passes, nullptr);
+  SmallRun(kPassing).render(0, nullptr, &passes, nullptr);
 }
 
 void use_light(const InputFile& file, const tool::Identity& identity) {
@@ -104,7 +104,7 @@ void use_light(const InputFile& file, const tool::Identity& identity) {
   options.radiosity_from_file = true;
   tool::RadiosityStore store(options, identity);
   store.read();
-  Run(kPassing).render(0, nullptr, nullptr, &store);
+  SmallRun(kPassing).render(0, nullptr, nullptr, &store);
 }
 
 const char* end_of_name(OwnFile kind) {
@@ -116,7 +116,7 @@ const char* end_of_name(OwnFile kind) {
   }
 }
 
-void take_up(const std::string& bytes) {
+void use_own_file(const std::string& bytes) {
   const OwnFile kind = own_file(bytes);
   const InputFile file(reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size(),
                        end_of_name(kind));
@@ -131,7 +131,7 @@ void take_up(const std::string& bytes) {
 std::string use_journal(const std::uint8_t* data, std::size_t size) {
   const std::string bytes(reinterpret_cast<const char*>(data), size);
   try {
-    take_up(sealed(bytes));
+    use_own_file(sealed(bytes));
   } catch (const parser::OptionError& error) {
     return error.what();
   } catch (const std::invalid_argument& error) {

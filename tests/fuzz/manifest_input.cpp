@@ -15,13 +15,13 @@ namespace {
 using Rows = std::map<std::string, batch::Row>;
 
 /// A manifest of them.
-std::string text_of(const Rows& rows) {
+std::string manifest_text(const Rows& rows) {
   std::string text;
   for (const auto& [name, row] : rows) text += tool::json_text(batch::json_of(row)) + "\n";
   return text;
 }
 
-void show(const Rows& rows) {
+void show_rows(const Rows& rows) {
   std::vector<batch::Row> shown;
   for (const auto& [name, row] : rows) shown.push_back(row);
   const std::vector<batch::Card> cards = batch::cards_of(shown);
@@ -34,11 +34,11 @@ void show(const Rows& rows) {
 
 std::string use_manifest(const std::uint8_t* data, std::size_t size) {
   const Rows rows = batch::rows_in(InputFile(data, size, ".jsonl").path());
-  show(rows);
-  const std::string text = text_of(rows);
+  show_rows(rows);
+  const std::string text = manifest_text(rows);
   const InputFile written(reinterpret_cast<const std::uint8_t*>(text.data()), text.size(),
                           ".jsonl");
-  if (text_of(batch::rows_in(written.path())) != text)
+  if (manifest_text(batch::rows_in(written.path())) != text)
     throw std::logic_error("a manifest that was written is read differently: " + text);
   return rows.empty() ? "no rows" : "";
 }
