@@ -24,7 +24,7 @@ class World(Folders):
 
     def __init__(self, root, binaries):
         super().__init__(root, binaries)
-        for folder in ("strangers/sub", "victim/lib", "home/.povray/3.7", "work"):
+        for folder in ("strangers/sub", "victim/lib", "home/.povray/3.7", "here"):
             (self.root / folder).mkdir(parents=True)
         (self.root / "home/.povray/3.7/povray.conf").write_text("[File I/O Security]\nrestricted\n[Shellout Security]\nallowed\n")
         for name in ("rc", "a.inc", "more.ini", "lib/lens_sheets.ini", "a.pov"):
@@ -33,7 +33,7 @@ class World(Folders):
 
     def outside(self):
         found = {}
-        for path in sorted([self.root / "victim", *(self.root / "victim").rglob("*"), *(self.root / "work").rglob("*")]):
+        for path in sorted([self.root / "victim", *(self.root / "victim").rglob("*"), *(self.root / "here").rglob("*")]):
             if "out" in path.relative_to(self.root).parts:
                 continue
             found[str(path)] = path.read_text() if path.is_file() else ""
@@ -45,12 +45,12 @@ class World(Folders):
         (self.root / "strangers/a.pov").write_text(scene)
         (self.root / "strangers/a.ini").write_text(ini.replace("ROOT", str(self.root)))
 
-    def run(self, program, *words, cwd="work"):
+    def run(self, program, *words, cwd="here"):
         return super().run(program, *words, cwd=cwd)
 
     def batch(self, *words):
         status, said = self.run("lentray-batch", "../strangers", "--out", "out", "+W8", "+H6", "--quiet", *words)
-        rows = [json.loads(line) for line in (self.root / "work/out/manifest.jsonl").read_text().splitlines()]
+        rows = [json.loads(line) for line in (self.root / "here/out/manifest.jsonl").read_text().splitlines()]
         return rows[-1], said
 
 
@@ -142,7 +142,7 @@ def permitted(place, binaries):
         world = World(root, binaries)
         # The user's own words are the user's.
         world.put("", SCENE + '#debug "said\\n"\n')
-        (world.root / "work/mine.ini").write_text("Debug_File=../victim/mine\n")
+        (world.root / "here/mine.ini").write_text("Debug_File=../victim/mine\n")
         status, said = world.run("lentray", "mine.ini", "Restrict_IO=On", "+I../strangers/a.pov", "+W8", "+H6", "-V")
         expect(status == 0 and (world.root / "victim/mine").read_text() == "said\n", "the user's own file", status, said)
 
@@ -160,7 +160,7 @@ def folders(place, binaries):
             # What Debian's povray.conf permits is no concern of a batch's.
             (world.root / "home/.povray/3.7/povray.conf").write_text("[File I/O Security]\nread-only\n")
             for name, text in (("off", "Restrict_IO=Off"), ("on", "Restrict_IO=On"), ("permits", "Permitted_Path=../victim")):
-                (world.root / f"work/{name}.ini").write_text(text + "\n")
+                (world.root / f"here/{name}.ini").write_text(text + "\n")
             world.put("", scene)
             row, said = world.batch(*words)
             expect(row["state"] == state, words, row.get("reason"), said)
@@ -187,7 +187,7 @@ def links_of_folders(place, binaries):
         (world.root / "strangers/b.pov").symlink_to("../victim/secret.pov")
         (world.root / "strangers/sub/c.pov").symlink_to("../a.pov")
         status, said = world.run("lentray-batch", "../strangers", "--out", "out", "+W8", "+H6", "--quiet")
-        rows = [json.loads(line) for line in (world.root / "work/out/manifest.jsonl").read_text().splitlines()]
+        rows = [json.loads(line) for line in (world.root / "here/out/manifest.jsonl").read_text().splitlines()]
         expect(status == 0 and sorted(r["name"] for r in rows) == ["a", "sub/c"] and "SECRET" not in said, "links of scenes", said)
         expect("leads out of" in said, "a link that is left out", said)
         status, said = world.run("lentray", "Restrict_IO=On", "+Ib.pov", "-V", "-F", cwd="strangers")
@@ -198,7 +198,7 @@ def links_of_folders(place, binaries):
         (world.root / "strangers/lib").symlink_to("../victim")
         status, said = world.run("lentray", "Restrict_IO=On", "+Llib", "+Ia.pov", "-V", "-F", cwd="strangers")
         expect(status == 1 and "is refused" in said, "a library path that is a link of the scene's folder", status, said)
-        (world.root / "work/mine.ini").write_text("Library_Path=lib\n")
+        (world.root / "here/mine.ini").write_text("Library_Path=lib\n")
         row, said = world.batch("mine.ini")
         expect(row["state"] == "failed" and "is refused" in row["reason"] + " ".join(row["messages"]), "a batch's library", row)
     for name in ("a.png", "manifest.jsonl", "index.html", ".lentray-batch/lock", ".lentray-batch/runs/x"):
@@ -234,9 +234,9 @@ def sticky(place, binaries):
         with tempfile.TemporaryDirectory(dir=place) as root:
             world = World(root, binaries)
             world.put("", SCENE + '#include "../victim/a.inc"\n')
-            (world.root / "work/on.ini").write_text("Restrict_IO=On\n")
-            (world.root / "work/off.ini").write_text("Restrict_IO=Off\n")
-            (world.root / "work/mine.ini").write_text("Include_Ini=on.ini\nRestrict_IO=Off\n")
+            (world.root / "here/on.ini").write_text("Restrict_IO=On\n")
+            (world.root / "here/off.ini").write_text("Restrict_IO=Off\n")
+            (world.root / "here/mine.ini").write_text("Include_Ini=on.ini\nRestrict_IO=Off\n")
             status, said = world.run("lentray", *words, "+I../strangers/a.pov", "+W8", "+H6", "-V")
             expect(status == 1 and "is refused" in said and "it stays on" in said, words, status, said)
 
@@ -261,8 +261,8 @@ def links_of_outputs(place, binaries):
     with tempfile.TemporaryDirectory(dir=place) as root:
         world = World(root, binaries)
         world.put("")
-        (world.root / "strangers/in").symlink_to("../work")
-        for name in (f"{world.root}/strangers/in/a.png", "../work/b.png", "sub/c.png"):
+        (world.root / "strangers/in").symlink_to("../here")
+        for name in (f"{world.root}/strangers/in/a.png", "../here/b.png", "sub/c.png"):
             status, said = world.run("lentray", "Restrict_IO=On", "+Ia.pov", "+W8", "+H6", "-V", "+O" + name, cwd="strangers")
             expect(status == 0 and (world.root / "strangers" / name).exists(), "the user's own name", name, status, said)
 
@@ -313,7 +313,7 @@ def tasks_of_strangers(place, binaries):
             for folder in ("results", "scratch", "logs"):
                 (run / folder).mkdir(parents=True)
             (run.parent / "current").write_text("run 7")
-            (run / "command.json").write_text(json.dumps({"words": words, "folder": str(world.root / "work")}))
+            (run / "command.json").write_text(json.dumps({"words": words, "folder": str(world.root / "here")}))
             (run / "tasks.jsonl").write_text(json.dumps([{"name": "a", "band": 0, "bands": 1, "first_row": 1, "last_row": 0,
                 "seconds": 1.0, "source": str(world.root / source), "scene": "a", "ini": ""}]) + "\n")
             (run / "task.sh").write_text(f"touch {world.root}/victim/touched\n")
