@@ -3,7 +3,7 @@
 # of its parts with versions and licences, lentray_VERSION_ARCHITECTURE.spdx.json (tools/parts.py).
 #   tools/package.sh && apt install ./build/package/lentray_*.deb
 #   tools/package.sh TARGET...   builds these alone in the same way, and no package
-# The same source and the same compilers and libraries give the same bytes in any folder at any time. Times are of
+# The same source and the same compilers and libraries are to give the same bytes in any folder at any time. Times are of
 # SOURCE_DATE_EPOCH, else of the last commit (tests/package/reproducible.sh).
 set -eu
 cd "$(dirname "$0")/.."

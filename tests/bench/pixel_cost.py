@@ -46,7 +46,7 @@ camera {{ location <0, 14, -26> right 4/3*x up y look_at <0, 1, 0> angle 40 }}
 #end
 plane {{ y, 0 pigment {{ checker rgb 0.9 rgb 0.4 }} }}
 #declare R = seed(3);
-#declare Size = 0.4*sqrt(10000/{objects})*0.3;
+#declare Size = 0.12*sqrt(10000/{objects});
 #for (I, 1, {objects})
   sphere {{
     <rand(R)*24 - 12, Size + rand(R)*3, rand(R)*24 - 12>, Size*(0.5 + rand(R))
