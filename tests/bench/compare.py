@@ -30,11 +30,12 @@ def cpu_seconds(command, folder):
         after.children_system - before.children_system)
 
 
-def wrappers(scene, width, height, binaries, folder, lens="Declare=Lenticular_Camera=1"):
-    """Stock's wrapper scenes, as lentray-diff writes them, for the views and the mesh_camera. `lens`: the option that
-    makes an integral image of the scene."""
+def wrappers(scene, width, height, binaries, folder, lens):
+    """Stock's wrapper scenes, as lentray-diff writes them, for the views and the mesh_camera. `lens`: the options that
+    make an integral image of the scene. There are no views where a lens has no whole number of pixels or the eye is
+    near."""
     result = subprocess.run(
-        [binaries / "lentray-diff", scene, lens, f"+W{width}",
+        [binaries / "lentray-diff", scene, *lens, f"+W{width}",
          f"+H{height}", "--write-wrappers", folder], capture_output=True, text=True, check=False)
     if result.returncode != 0:
         sys.exit(result.stdout + result.stderr)
@@ -57,19 +58,19 @@ def measure(name, args, binaries):
         wrapped = pathlib.Path(temporary) / "wrappers"
         folder.mkdir()
         wrapped.mkdir()
-        views, mesh = wrappers(scene, width, height, binaries, wrapped)
-        lenses = -(-width // 15)
+        lens = ["Declare=Lenticular_Camera=1", f"Declare=Lens_Pixels={args.lens_pixels:g}",
+                f"Declare=View_Distance={args.view_distance:g}"]
+        views, mesh = wrappers(scene, width, height, binaries, wrapped, lens)
 
         def ours():
-            return cpu_seconds([binaries / "lentray", scene, "Declare=Lenticular_Camera=1",
-                                "+Oours.png", f"+W{width}", f"+H{height}",
+            return cpu_seconds([binaries / "lentray", scene, *lens, "+Oours.png", f"+W{width}", f"+H{height}",
                                 f"+WT{args.threads}", "-V"], folder)
 
         def stock_views():
             # The last lens may be cut: the views beyond it have one pixel less a row.
             total = 0.0
             for j, view in enumerate(views):
-                columns = len(range(j, width, 15))
+                columns = len(range(j, width, len(views)))
                 total += cpu_seconds(stock(view, columns, height, wrapped, args.threads), folder)
             return total
 
@@ -77,15 +78,16 @@ def measure(name, args, binaries):
             return cpu_seconds(stock(mesh, width, height + 1, wrapped, args.threads), folder)
 
         ways = {"lentray": ours, "stock mesh_camera": stock_mesh}
-        if not args.no_views:
+        if views and not args.no_views:
             ways["stock views"] = stock_views
         times = {way: [] for way in ways}
         for _ in range(args.runs):
             for way, run in ways.items():
                 times[way].append(run())
     medians = {way: statistics.median(seconds) for way, seconds in times.items()}
-    print(f"{name}: {width} x {height}, {lenses} lenses of 15 pixels, {args.threads} threads, "
-          f"medians of {args.runs}")
+    far = f"seen from {args.view_distance:g} mm" if args.view_distance else "seen from infinity"
+    print(f"{name}: {width} x {height}, {width / args.lens_pixels:g} lenses of {args.lens_pixels:g} pixels, {far}, "
+          f"{args.threads} threads, medians of {args.runs}")
     for way, seconds in medians.items():
         ratio = "" if way == "lentray" else f"   stock / lentray = {seconds / medians['lentray']:.2f}"
         print(f"  {way:<18} {seconds:9.3f} CPU s{ratio}")
@@ -97,6 +99,8 @@ def main():
     parser.add_argument("--size", default="1995x2000")
     parser.add_argument("--runs", type=int, default=5)
     parser.add_argument("--threads", type=int, default=1, help="CPU time is that of all threads")
+    parser.add_argument("--lens-pixels", type=float, default=15, help="pixels a lens (15)")
+    parser.add_argument("--view-distance", type=float, default=0, help="of the eye, in mm (0: infinitely far)")
     parser.add_argument("--no-views", action="store_true", help="only stock's mesh_camera way")
     parser.add_argument("--bin", default=str(ROOT / "build" / "release" / "bin"))
     parser.add_argument("--json")

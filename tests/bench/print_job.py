@@ -51,7 +51,7 @@ def measure(name, args, tree):
         if not args.before:
             wrapped = pathlib.Path(temporary) / "wrappers"
             wrapped.mkdir()
-            views, _ = wrappers(scene, args.width, args.height, args.bin, wrapped, "Lenticular=On")
+            views, _ = wrappers(scene, args.width, args.height, args.bin, wrapped, ["Lenticular=On"])
             if len(views) != LENS:
                 sys.exit(f"{scene}: {len(views)} views instead of {LENS}")
         ours, theirs = [], []
