@@ -78,8 +78,7 @@ class Facets final : public Displacement {
   }
   static Vec3 random_point(const Vec3& p) {
     const Vec3 cell{std::floor(p.x - kTiny), std::floor(p.y - kTiny), std::floor(p.z - kTiny)};
-    const std::size_t seed = lattice_hash(whole_of(cell.x), whole_of(cell.y), whole_of(cell.z));
-    return cell + Vec3(lattice_random(seed), lattice_random(seed + 1), lattice_random(seed + 2));
+    return cell + cell_randoms(whole_of(cell.x), whole_of(cell.y), whole_of(cell.z));
   }
   double distance(const Vec3& d) const {
     if (m_metric == 2.0) return length_squared(d);

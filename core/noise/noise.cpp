@@ -12,9 +12,10 @@
 namespace lentray::core {
 namespace {
 
+/// A hash, and the next two.
 const std::vector<double> kRandoms = [] {
   std::mt19937 generator;
-  std::vector<double> values(32768);
+  std::vector<double> values(4096 + 2);
   for (double& value : values) value = static_cast<double>(generator()) / 4294967296.0;
   return values;
 }();
@@ -77,7 +78,10 @@ double triangle_wave(double value) {
   return offset >= 0.5 ? 2.0 * (1.0 - offset) : 2.0 * offset;
 }
 
-double lattice_random(std::size_t index) { return kRandoms[index % kRandoms.size()]; }
+Vec3 cell_randoms(int x, int y, int z) {
+  const double* const from = &kRandoms[lattice_hash(x, y, z)];
+  return {from[0], from[1], from[2]};
+}
 
 std::vector<WaveSource> wave_sources(int count) {
   std::vector<WaveSource> sources;

@@ -40,8 +40,8 @@ double triangle_wave(double value);
 
 /// The table of 4096 numbers in random order, chained over three lattice coordinates.
 unsigned lattice_hash(int x, int y, int z);
-/// One of 32768 random numbers in 0..1.
-double lattice_random(std::size_t index);
+/// Three random numbers in 0..1 of a cell of the lattice.
+Vec3 cell_randoms(int x, int y, int z);
 
 /// Sources of ripples and waves: unit vectors and frequencies; global_settings sets the number.
 struct WaveSource {

@@ -52,10 +52,8 @@ Vec3 centre_near(const BlackHole& hole, const Vec3& point) {
     block[axis] = whole_of(std::floor(point[axis] / hole.repeat[axis]));
   }
   if (hole.uncertain) {
-    const unsigned seed = lattice_hash(block[0], block[1], block[2]);
-    for (int axis = 0; axis < 3; ++axis) {
-      centre[axis] += lattice_random(seed + static_cast<unsigned>(axis)) * hole.uncertainty[axis];
-    }
+    const Vec3 random = cell_randoms(block[0], block[1], block[2]);
+    for (int axis = 0; axis < 3; ++axis) centre[axis] += random[axis] * hole.uncertainty[axis];
   }
   for (int axis = 0; axis < 3; ++axis) centre[axis] += hole.repeat[axis] * block[axis];
   return centre;

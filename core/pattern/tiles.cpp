@@ -105,7 +105,7 @@ PatternPtr make_brick(const Vec3& size, double mortar) {
 PatternPtr make_cells() {
   return pattern_of([](const Vec3& p) {
     const auto cell = [](double v) { return static_cast<int>(whole_below(v + kTiny)); };
-    return std::min(lattice_random(lattice_hash(cell(p.x), cell(p.y), cell(p.z))), 1.0);
+    return std::min(cell_randoms(cell(p.x), cell(p.y), cell(p.z)).x, 1.0);
   });
 }
 
