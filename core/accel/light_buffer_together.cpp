@@ -17,9 +17,10 @@ class LightLanes {
     const Double4 nx = normal(0), ny = normal(1), nz = normal(2);
     const Double4 x = buffer.m_light.x - px, y = buffer.m_light.y - py, z = buffer.m_light.z - pz;
     const Double4 up = nx * x + ny * y + nz * z;
+    const Double4 before = front(0) * x + front(1) * y + front(2) * z;
     const Double4 length2 = x * x + y * y + z * z;
     m_asking = points.who_asks(first);
-    m_behind = m_asking & simd::signs(up < Double4{});
+    m_behind = m_asking & simd::signs(before < Double4{});
     m_asking &= ~m_behind;
     m_to[0] = x;
     m_to[1] = y;
@@ -64,6 +65,9 @@ class LightLanes {
   }
   LENTRAY_SIMD32 Double4 normal(int axis) const {
     return simd::double4_at(m_points.normal(axis) + m_first);
+  }
+  LENTRAY_SIMD32 Double4 front(int axis) const {
+    return simd::double4_at(m_points.front(axis) + m_first);
   }
   LENTRAY_SIMD32 void store(int axis, Double4 v) {
     simd::store(m_answers.direction[axis] + m_first, v);

@@ -17,27 +17,26 @@ class LightPoints {
   static constexpr int kMost = 64, kLanes = 4;
 
   void clear() { m_count = 0; }
-  /// `normal`: of the surface, towards the ray that looks. `unmet`: a convex object that the rays to lights do not
-  /// hit which rise from the surface by more than `slope`, the least cosine to the normal; or null.
-  void add(const Vec3& point, const Vec3& normal, const Object* unmet, double slope) {
+  /// `normal`: of the surface, towards the ray that looks. `front`: lights that are behind a plane across it are not
+  /// asked for; null vector: none is behind. `unmet`: a convex object that the rays to lights do not hit which rise
+  /// from the surface by more than `slope`, the least cosine to the normal; or null.
+  void add(const Vec3& point, const Vec3& normal, const Vec3& front, const Object* unmet,
+           double slope) {
     put(m_count, point, normal, unmet, slope);
+    for (int a = 0; a < 3; ++a) m_front[a][m_count] = front[a];
     m_asks[static_cast<std::size_t>(m_count++)] = 1;
   }
   /// A place that asks for nothing.
-  void add_none() {
-    put(m_count, {}, {}, nullptr, 0.0);
-    m_asks[static_cast<std::size_t>(m_count++)] = 0;
-  }
+  void add_none() { put_none(m_count++); }
   void fill_up() {
-    for (int i = m_count; i % kLanes != 0; ++i) {
-      put(i, {}, {}, nullptr, 0.0);
-      m_asks[static_cast<std::size_t>(i)] = 0;
-    }
+    for (int i = m_count; i % kLanes != 0; ++i) put_none(i);
   }
   int count() const { return m_count; }
 
   const double* point(int axis) const { return m_point[axis]; }
   const double* normal(int axis) const { return m_normal[axis]; }
+  const double* front(int axis) const { return m_front[axis]; }
+  Vec3 point_at(std::size_t i) const { return {m_point[0][i], m_point[1][i], m_point[2][i]}; }
   const double* slope2() const { return m_slope2; }
   const Object* unmet(int i) const { return m_unmet[static_cast<std::size_t>(i)]; }
   /// Of the points from i on, the first lowest.
@@ -56,7 +55,13 @@ class LightPoints {
     m_unmet[static_cast<std::size_t>(i)] = unmet;
   }
 
-  alignas(32) double m_point[3][kMost] = {}, m_normal[3][kMost] = {}, m_slope2[kMost] = {};
+  void put_none(int i) {
+    put(i, {}, {}, nullptr, 0.0);
+    m_asks[static_cast<std::size_t>(i)] = 0;
+  }
+
+  alignas(32) double m_point[3][kMost] = {}, m_normal[3][kMost] = {}, m_front[3][kMost] = {};
+  alignas(32) double m_slope2[kMost] = {};
   std::array<const Object*, kMost> m_unmet{};
   std::array<std::uint8_t, kMost> m_asks{};
   int m_count = 0;

@@ -12,6 +12,7 @@
 #include "core/accel/light_points.h"
 #include "core/light/light_ray.h"
 #include "core/object/hit.h"
+#include "core/trace/ray_state.h"
 #include "core/trace/shadow_tester.h"
 #include "core/trace/thread_context.h"
 #include "core/trace/unmet_object.h"
@@ -33,11 +34,11 @@ class BlockLights {
   bool works() const { return m_works; }
 
   void clear() { m_points.clear(); }
-  /// The next place; `normal` towards the ray that looks. At most kMost.
-  void add(const Hit& hit, const Vec3& point, const Vec3& normal, bool from_behind) {
+  /// The next place, at most kMost. Of lights behind a plane across `front` nothing is wanted (LightPoints::add()).
+  void add(const Hit& hit, const MetPlace& where, const Vec3& front) {
     if (hit.leaf->attributes().lights) return add_none();  // of a light group
-    const UnmetObject unmet = unmet_object(hit, from_behind, point, m_tolerance);
-    m_points.add(point, normal, unmet.object, unmet.slope);
+    const UnmetObject unmet = unmet_object(hit, where.from_behind, where.point, m_tolerance);
+    m_points.add(where.point, where.normal, front, unmet.object, unmet.slope);
   }
   /// A place that is no surface.
   void add_none() { m_points.add_none(); }

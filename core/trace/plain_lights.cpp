@@ -1,5 +1,6 @@
 #include "core/trace/plain_lights.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "core/base/simd.h"
@@ -12,7 +13,8 @@ namespace {
 
 bool is_plain(const Light& light) {
   const Rgb& c = light.colour;
-  return is_even(light) && std::isfinite(c.r) && std::isfinite(c.g) && std::isfinite(c.b);
+  return !light.illuminates_by_area() && std::isfinite(c.r) && std::isfinite(c.g) &&
+         std::isfinite(c.b);
 }
 
 LENTRAY_SIMD Int4 lanes_of(unsigned bits) {
@@ -40,95 +42,117 @@ class PlainLights::Lanes {
       : m_of(of), m_answers(answers), m_colour(colour), m_counts(counts), m_first(first) {}
 
   LENTRAY_SIMD32 void add() {
-    const unsigned lit_here = static_cast<unsigned>(m_of.m_lit >> m_first) & 15u;
-    if (lit_here == 0) return;
+    const unsigned here = bits(m_of.m_lit & ~m_of.m_unlit);
+    if (here == 0) return;
     const Int4 answer = simd::int4_at(m_answers.answer + m_first);
-    const Double4 n[3] = {normal(0), normal(1), normal(2)};
-    const Double4 d[3] = {direction(0), direction(1), direction(2)};
-    const Double4 cosine = dot_of(n, d);
-    const unsigned facing = lit_here & simd::signs(answer > simd::int4(LightAnswers::kBehind)) &
-                            ~simd::signs(cosine < simd::double4(kGrazing));
-    if (facing == 0) return;
-    const unsigned dark = facing & simd::signs(answer > simd::int4(LightAnswers::kFiltered));
-    count(facing, dark, answer);
-    unsigned lit = facing & ~dark;
-    if (lit == 0) return;
-    Float4 light[3];
-    for (int c = 0; c < 3; ++c) light[c] = simd::float4(m_colour[c]);
-    if (m_answers.filtered >> m_first & lit) filter(lit, light);
-    const Double4 intensity = simd::abs(cosine) * simd::double4_at(m_of.m_diffuse + m_first);
-    Float4 share[3];
-    for (int c = 0; c < 3; ++c) {
-      share[c] = times_lanes(simd::float4_at(m_of.m_pigment[c] + m_first), intensity) * light[c];
-    }
-    const unsigned shining = lit & static_cast<unsigned>(m_of.m_shining >> m_first);
-    if (shining != 0) add_highlights(shining, n, d, light, share);
-    const Int4 lanes = lanes_of(lit);
-    for (int c = 0; c < 3; ++c) {
-      float* const to = m_of.m_sum[c] + m_first;
-      const Float4 sum = simd::float4_at(to);
-      simd::store(to, chosen(lanes, sum + share[c], sum));
+    const unsigned asked = here & simd::signs(answer > simd::int4(LightAnswers::kBehind));
+    if (asked == 0) return;
+    for (std::size_t d = 0; d < m_of.m_deepest; ++d) {
+      Depth& depth = m_of.m_depths[d];
+      if ((bits(depth.lit) & asked) != 0) add(depth, asked, answer);
     }
   }
 
  private:
-  LENTRAY_SIMD32 Double4 normal(int axis) const {
-    return simd::double4_at(m_of.m_lights.points().normal(axis) + m_first);
+  LENTRAY_SIMD32 void add(Depth& depth, unsigned asked, Int4 answer) {
+    const Double4 n[3] = {at(depth.normal[0]), at(depth.normal[1]), at(depth.normal[2])};
+    const Double4 d[3] = {at(m_answers.direction[0]), at(m_answers.direction[1]),
+                          at(m_answers.direction[2])};
+    const Double4 cosine = dot_of(n, d);
+    const unsigned facing =
+        bits(depth.lit) & asked & ~simd::signs(cosine < simd::double4(kGrazing));
+    if (facing == 0) return;
+    const unsigned dark = facing & simd::signs(answer > simd::int4(LightAnswers::kFiltered));
+    count(facing & ~bits(m_of.m_counted), dark, answer);
+    m_of.m_counted |= std::uint64_t{facing} << m_first;
+    const unsigned lit = facing & ~dark & ~bits(m_of.m_dark);
+    if (lit == 0) return;
+    Float4 light[3];
+    for (int c = 0; c < 3; ++c) light[c] = simd::float4(m_colour[c]);
+    const unsigned own = bits(m_of.m_own_colour) & lit;
+    if (own != 0) {
+      const Int4 lanes = lanes_of(own);
+      for (int c = 0; c < 3; ++c) {
+        light[c] = chosen(lanes, simd::float4_at(m_of.m_colour[c] + m_first), light[c]);
+      }
+    }
+    Double4 intensity = simd::abs(cosine);
+    const unsigned shining = lit & bits(depth.shining);
+    if (bits(depth.uneven) & lit) bend(depth, lit, intensity);
+    intensity = intensity * at(depth.diffuse);
+    Float4 share[3];
+    for (int c = 0; c < 3; ++c) {
+      share[c] = times_lanes(simd::float4_at(depth.pigment[c] + m_first), intensity) * light[c];
+    }
+    if (shining != 0) add_highlights(depth, shining, n, d, light, share);
+    const Int4 lanes = lanes_of(lit);
+    for (int c = 0; c < 3; ++c) {
+      float* const to = depth.sum[c] + m_first;
+      const Float4 sum = simd::float4_at(to);
+      simd::store(to, chosen(lanes, sum + share[c], sum));
+    }
   }
-  LENTRAY_SIMD32 Double4 direction(int axis) const {
-    return simd::double4_at(m_answers.direction[axis] + m_first);
+  LENTRAY_SIMD32 Double4 at(const double* numbers) const {
+    return simd::double4_at(numbers + m_first);
   }
-  LENTRAY_SIMD32 Double4 eye(int axis) const {
-    return simd::double4_at(m_of.m_eye[axis] + m_first);
+  unsigned bits(std::uint64_t places) const {
+    return static_cast<unsigned>(places >> m_first) & 15u;
   }
   std::size_t place(int i) const { return static_cast<std::size_t>(m_first + i); }
 
   /// As visibility() of the plain tester.
-  LENTRAY_SIMD32 void count(unsigned facing, unsigned dark, Int4 answer) {
+  LENTRAY_SIMD32 void count(unsigned fresh, unsigned dark, Int4 answer) {
     const auto number = [](unsigned bits) {
       return static_cast<std::uint64_t>(__builtin_popcount(bits));
     };
-    m_counts.rays += number(facing);
-    m_counts.blocked += number(dark);
+    m_counts.rays += number(fresh);
+    m_counts.blocked += number(fresh & dark);
     if (!m_of.m_counts_hits) return;
     const std::uint64_t hits =
-        number(dark & simd::signs(answer == simd::int4(LightAnswers::kForeseen)));
+        number(fresh & dark & simd::signs(answer == simd::int4(LightAnswers::kForeseen)));
     m_counts.hits += hits;
-    m_counts.misses += number(dark) - hits;
+    m_counts.misses += number(fresh & dark) - hits;
   }
-  [[gnu::noinline]] void filter(unsigned& lit, Float4 (&light)[3]) const {
-    const unsigned filtered = static_cast<unsigned>(m_answers.filtered >> m_first) & lit;
-    for (unsigned left = filtered; left != 0; left &= left - 1) {
+  /// The brilliance of diffuse light.
+  [[gnu::noinline]] void bend(const Depth& depth, unsigned lit, Double4& intensity) const {
+    for (unsigned left = bits(depth.uneven) & lit; left != 0; left &= left - 1) {
       const int i = __builtin_ctz(left);
-      Rgb colour = m_colour;
-      colour *= m_of.m_filter[place(i)];
-      for (int c = 0; c < 3; ++c) light[c][i] = colour[c];
-      if (is_dark(colour)) lit &= ~(1u << i);
+      intensity[i] = std::pow(intensity[i], depth.layer[place(i)]->finish->brilliance);
     }
   }
-  /// highlights(), of finishes that are not metallic.
-  LENTRAY_SIMD32 void add_highlights(unsigned shining, const Double4 (&n)[3], const Double4 (&d)[3],
-                                     const Float4 (&light)[3], Float4 (&share)[3]) {
-    const Double4 e[3] = {eye(0), eye(1), eye(2)};
+  /// highlights()
+  LENTRAY_SIMD32 void add_highlights(const Depth& depth, unsigned shining, const Double4 (&n)[3],
+                                     const Double4 (&d)[3], const Float4 (&light)[3],
+                                     Float4 (&share)[3]) {
+    const Double4 e[3] = {at(m_of.m_eye[0]), at(m_of.m_eye[1]), at(m_of.m_eye[2])};
     const Double4 back = -2.0 * dot_of(e, n);
     const Double4 mirrored[3] = {e[0] + n[0] * back, e[1] + n[1] * back, e[2] + n[2] * back};
     const Double4 half[3] = {(d[0] - e[0]) * 0.5, (d[1] - e[1]) * 0.5, (d[2] - e[2]) * 0.5};
     const Double4 size = simd::sqrt(dot_of(half, half));
     const Double4 at_mirror = dot_of(mirrored, d), at_half = dot_of(half, n) / size;
     alignas(32) double phong[4] = {}, specular[4] = {};
+    Float4 shown[3] = {light[0], light[1], light[2]};
     for (unsigned left = shining; left != 0; left &= left - 1) {
       const int i = __builtin_ctz(left);
-      const Finish& finish = *m_of.m_texture[place(i)]->finish;
+      const PlainLayer& layer = *depth.layer[place(i)];
+      const Finish& finish = *layer.finish;
       if (finish.phong > 0.0) phong[i] = phong_of(finish, at_mirror[i]);
       if (finish.specular > 0.0 && size[i] > 0.0) specular[i] = specular_of(finish, at_half[i]);
+      if (finish.metallic > 0.0) show_on_metal(layer, i, shown);
     }
     const Double4 by_phong = simd::double4_at(phong), by_specular = simd::double4_at(specular);
     const Int4 lanes = lanes_of(shining);
     for (int c = 0; c < 3; ++c) {
       const Float4 highlight =
-          Float4{} + times_lanes(light[c], by_phong) + times_lanes(light[c], by_specular);
+          Float4{} + times_lanes(shown[c], by_phong) + times_lanes(shown[c], by_specular);
       share[c] = chosen(lanes, share[c] + highlight, share[c]);
     }
+  }
+  [[gnu::noinline]] void show_on_metal(const PlainLayer& layer, int i, Float4 (&shown)[3]) const {
+    const Rgb light{shown[0][i], shown[1][i], shown[2][i]};
+    const Rgb on_metal = metal_highlight(
+        *layer.finish, {m_answers.direction_at(place(i)), {}, layer.normal, light, layer.pigment});
+    for (int c = 0; c < 3; ++c) shown[c][i] = on_metal[c];
   }
 
   PlainLights& m_of;
@@ -148,13 +172,67 @@ PlainLights::PlainLights(ThreadContext& context, ShadowTester& shadows, const Bl
   }
 }
 
+void PlainLights::add(std::span<const PlainLayer> layers, const Vec3& eye) {
+  const std::size_t at = m_count++;
+  if (layers.empty()) return;
+  const std::uint64_t bit = std::uint64_t{1} << at;
+  m_known |= bit;
+  for (; m_deepest < layers.size(); ++m_deepest) m_depths[m_deepest].clear();
+  for (int a = 0; a < 3; ++a) m_eye[a][at] = eye[a];
+  for (std::size_t d = 0; d < layers.size(); ++d) {
+    const PlainLayer& layer = layers[d];
+    Depth& depth = m_depths[d];
+    for (int c = 0; c < 3; ++c) depth.sum[c][at] = 0.0f;
+    if (!layer.is_lit) continue;
+    m_lit |= bit;
+    if (layer.diffuse != 0.0 || layer.shines) m_shows |= bit;
+    depth.lit |= bit;
+    if (layer.shines) depth.shining |= bit;
+    if (layer.finish->brilliance != 1.0) depth.uneven |= bit;
+    depth.layer[at] = &layer;
+    depth.diffuse[at] = layer.diffuse;
+    for (int c = 0; c < 3; ++c) {
+      depth.normal[c][at] = layer.normal[c];
+      depth.pigment[c][at] = layer.pigment[c];
+    }
+  }
+}
+
 void PlainLights::drop_unknown() {
-  for (const std::uint32_t i : m_context.scene.global_lights()) m_lit &= ~m_lights.of(i)->unknown;
+  std::uint64_t unknown = 0;
+  for (const std::uint32_t i : m_context.scene.global_lights()) unknown |= m_lights.of(i)->unknown;
+  unknown &= m_lit;
+  m_known &= ~unknown;
+  m_lit &= ~unknown;
+  m_shows &= ~unknown;
+}
+
+/// light_colour() of an uneven light.
+void PlainLights::find_colours(const Light& light, const LightAnswers& answers) {
+  for (std::uint64_t left = m_lit; left != 0; left &= left - 1) {
+    const auto place = static_cast<std::size_t>(__builtin_ctzll(left));
+    if (!LightAnswers::has_ray(answers.at(place))) continue;
+    const Rgb colour =
+        light_colour(light, m_lights.points().point_at(place), ray_at(answers, place));
+    if (is_dark(colour)) {
+      m_unlit |= std::uint64_t{1} << place;
+    } else {
+      set_colour(place, colour);
+    }
+  }
+}
+
+void PlainLights::filter(const Light& light, std::size_t place, const Rgb& left) {
+  Rgb colour = light.colour;
+  if (m_own_colour >> place & 1)
+    colour = {m_colour[0][place], m_colour[1][place], m_colour[2][place]};
+  colour *= left;
+  if (is_dark(colour)) m_dark |= std::uint64_t{1} << place;
+  set_colour(place, colour);
 }
 
 LENTRAY_AVX2 void PlainLights::add_light(std::uint32_t light, const LightAnswers& answers) {
   const Rgb& colour = m_context.scene.lights()[light].colour;
-  if (is_dark(colour)) return;
   ShadowCounts& counts = m_context.counters.lights[light];
   const int count = static_cast<int>(m_count);
   for (int first = 0; first < count; first += 4) {

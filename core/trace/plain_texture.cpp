@@ -6,16 +6,16 @@
 
 #include "core/shape/mesh.h"
 #include "core/trace/layer_opacity.h"
+#include "core/trace/surface_textures.h"
 
 namespace lentray::core {
 namespace {
 
 bool is_plain(const Finish& finish) {
-  const bool is_diffuse_alone = finish.diffuse > 0.0 && finish.diffuse_back == 0.0 &&
-                                finish.brilliance == 1.0 && !(finish.crand > 0.0) &&
-                                !finish.subsurface;
-  return is_diffuse_alone && !(finish.metallic > 0.0) && !(finish.irid > 0.0) &&
-         !finish.conserve_energy;
+  if (finish.subsurface || finish.conserve_energy) return false;
+  if (!shows_light(finish)) return true;
+  return finish.diffuse > 0.0 && finish.diffuse_back == 0.0 && !(finish.crand > 0.0) &&
+         !(finish.irid > 0.0);
 }
 
 /// Whether reflectivity() is the same for all angles.
@@ -27,53 +27,106 @@ bool reflects_evenly(const Finish& finish) {
 }  // namespace
 
 PlainTextures::PlainTextures(const Scene& scene)
-    : m_settings(scene.settings()), m_paths(scene.needs()) {}
+    : m_settings(scene.settings()), m_paths(scene.needs()),
+      m_may_be_clear(m_paths.transparency || m_paths.layers) {}
 
-bool PlainTextures::has_others(const Leaf& leaf, bool from_behind) {
-  if (from_behind && leaf.attributes().interior_texture) return true;
+bool PlainTextures::has_others(const Leaf& leaf) {
   const Shape& shape = leaf.shape();
   return typeid(shape) == typeid(Mesh) && static_cast<const Mesh&>(shape).has_textures();
 }
 
-const PlainTexture* PlainTextures::another(const Texture* texture) {
+const PlainTextures::Kind& PlainTextures::another(const Texture* texture) {
   const auto [at, is_new] = m_known.try_emplace(texture);
   if (is_new) at->second = made(*texture);
   m_last = texture;
-  m_last_plain = at->second.get();
-  return m_last_plain;
+  m_last_kind = &at->second;
+  return *m_last_kind;
+}
+
+PlainTextures::Kind PlainTextures::made(const Texture& texture) const {
+  Kind kind;
+  std::vector<const LayeredTexture*> all;
+  texture.collect(all);
+  for (const LayeredTexture* layered : all) {
+    for (const TextureLayer& layer : layered->layers()) {
+      kind.may_be_lit = kind.may_be_lit || shows_light(*layer.finish);
+      kind.is_plain = kind.is_plain && is_plain(*layer.finish);
+    }
+  }
+  kind.everywhere = texture.everywhere();
+  if (!kind.is_plain || !kind.everywhere || kind.everywhere->layers().size() != 1) return kind;
+  const TextureLayer& layer = kind.everywhere->layers().front();
+  const Colour* colour = layer.pigment->constant();
+  if (colour && !layer.normal) kind.fixed = layer_of(layer, *colour);
+  return kind;
 }
 
 /// The operations and their order are those of SurfaceShading::shade_layer().
-std::unique_ptr<const PlainTexture> PlainTextures::made(const Texture& texture) const {
-  const LayeredTexture* layered = texture.everywhere();
-  if (!layered || layered->layers().size() != 1) return nullptr;
-  const TextureLayer& layer = layered->layers().front();
+PlainLayer PlainTextures::layer_of(const TextureLayer& layer, const Colour& colour) const {
   const Finish& finish = *layer.finish;
-  const Colour* colour = layer.pigment->constant();
-  if (!colour || layer.normal || !is_plain(finish)) return nullptr;
-  auto plain = std::make_unique<PlainTexture>();
-  plain->finish = &finish;
-  plain->pigment = colour->rgb;
-  const bool may_be_clear = m_paths.transparency || m_paths.layers;
-  const double opacity = may_be_clear ? layer_opacity(*colour, m_settings) : 1.0;
-  plain->own = times(colour->rgb * finish.ambient * m_settings.ambient_light, opacity);
-  plain->own += times(colour->rgb * finish.emission, opacity);
-  plain->diffuse = finish.diffuse * opacity;
-  plain->shines = has_highlights(finish);
-  plain->reflects = m_paths.reflection && reflects(finish);
-  if (plain->reflects && reflects_evenly(finish)) {
+  const double opacity = m_may_be_clear ? layer_opacity(colour, m_settings) : 1.0;
+  PlainLayer plain;
+  plain.finish = &finish;
+  plain.pigment = colour.rgb;
+  plain.own = times(colour.rgb * finish.ambient * m_settings.ambient_light, opacity);
+  plain.own += times(colour.rgb * finish.emission, opacity);
+  plain.diffuse = finish.diffuse * opacity;
+  plain.passed = m_may_be_clear ? passed(colour) : Rgb(0.0f);
+  plain.is_turned = layer.normal != nullptr;
+  plain.is_lit = shows_light(finish);
+  plain.shines = has_highlights(finish);
+  plain.reflects = m_paths.reflection && reflects(finish);
+  if (plain.reflects && reflects_evenly(finish)) {
     constexpr double kAnyCosine = 0.5, kAnyIor = 1.0;
-    plain->mirror = reflectivity(finish, kAnyCosine, kAnyIor, colour->rgb);
-  }
-  if (may_be_clear) {
-    plain->filter = Rgb(1.0f);
-    plain->filter *= passed(*colour);
-    plain->transparency = std::min(1.0, static_cast<double>(std::fabs(grey(plain->filter))));
-  } else {
-    plain->filter = Rgb(1.0f);
-    plain->transparency = 0.0;
+    plain.mirror = reflectivity(finish, kAnyCosine, kAnyIor, colour.rgb);
   }
   return plain;
+}
+
+/// Of a texture by place; null: several blend there.
+const LayeredTexture* PlainTextures::resolved(const Texture& texture, const Vec3& point,
+                                              const SurfaceContext& surface) {
+  m_found.clear();
+  texture.resolve(point, surface, 1.0, m_found);
+  return m_found.size() == 1 && m_found.front().weight == 1.0 ? m_found.front().texture : nullptr;
+}
+
+std::size_t PlainTextures::add_layers(const Ray& ray, const Hit& hit, const MetPlace& where,
+                                      std::vector<PlainLayer>& out) {
+  const Attributes& attributes = hit.leaf->attributes();
+  if (attributes.double_illuminate || attributes.lights || may_have_others(*hit.leaf)) return 0;
+  const Texture* texture = texture_of(*hit.leaf, where.from_behind);
+  const Kind& kind = kind_of(texture);
+  if (!kind.is_plain) return 0;
+  if (kind.fixed) {
+    out.push_back(*kind.fixed);
+    out.back().normal = where.normal;
+    return 1;
+  }
+  SurfaceContext surface{where.point, where.normal, ray.direction, &hit};
+  const Vec3 point = texture_point(surface);
+  const LayeredTexture* layered =
+      kind.everywhere ? kind.everywhere : resolved(*texture, point, surface);
+  if (!layered) return 0;
+  const std::vector<TextureLayer>& layers = layered->layers();
+  const std::size_t before = out.size();
+  Rgb filter(1.0f);
+  double transparency = 1.0;
+  for (auto layer = layers.rbegin();
+       layer != layers.rend() && transparency > m_settings.adc_bailout; ++layer) {
+    if (out.size() - before == kMostLayers) {
+      out.erase(out.begin() + static_cast<std::ptrdiff_t>(before), out.end());
+      return 0;
+    }
+    const Colour* constant = layer->pigment->constant();
+    out.push_back(layer_of(*layer, constant ? *constant : layer->pigment->colour(point, surface)));
+    PlainLayer& added = out.back();
+    if (layer->normal) surface.normal = layer->normal->perturb(point, where.normal, surface);
+    added.normal = layer->normal ? surface.normal : where.normal;
+    filter *= added.passed;
+    transparency = std::min(1.0, static_cast<double>(std::fabs(grey(filter))));
+  }
+  return out.size() - before;
 }
 
 }  // namespace lentray::core

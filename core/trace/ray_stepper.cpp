@@ -80,15 +80,16 @@ Surface surface_at(const RayState& state, const Hit& hit, const MetPlace& where,
 
 }  // namespace
 
-void RayStepper::shade_plain(const RayState& state, const Hit& hit, const MetPlace& where,
-                             const PlainTexture& texture, const Rgb& lit, RayRecord& record) {
+void RayStepper::go_on(const RayState& state, const Hit& hit, const MetPlace& where,
+                       std::span<const PlainLayer> layers, LayerSum& sum, RayRecord& record) {
   const Surface at = surface_at(state, hit, where, record);
   if (m_buffers.empty()) add_buffers();
   ShadingBuffers& buffers = *m_buffers.front();
-  LayerSum sum;
-  m_shading.shade_plain(texture, lit, at, buffers, sum);
+  m_shading.find_mirrors(layers, at, buffers);
+  sum.top_normal = layers.front().normal;
+  sum.top_finish = layers.front().finish;
+  sum.layers = layers.size();
   add_onward(sum, at, buffers, record);
-  record.own = {sum.light};
 }
 
 void RayStepper::shade(const RayState& state, const Hit& hit, const MetPlace& where,

@@ -8,6 +8,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <span>
 #include <vector>
 
 #include "core/accel/hierarchy.h"
@@ -76,15 +77,19 @@ class RayStepper {
     begin_surface(state, hit, record);
     shade(state, hit, where, block, place, record);
   }
-  /// The same of a plain texture, of which the lights make this. No photons light it.
+  /// The same of plain layers; `lit(layer)`: what the lights make of one. No photons light them.
+  template <class Lit>
   void see_plain(const RayState& state, const Hit& hit, const MetPlace& where,
-                 const PlainTexture& texture, const Rgb& lit, RayRecord& record) {
+                 std::span<const PlainLayer> layers, const Lit& lit, RayRecord& record) {
     begin_surface(state, hit, record);
-    if (texture.goes_on()) {
-      shade_plain(state, hit, where, texture, lit, record);
-    } else {
-      record.own = {SurfaceShading::with_plain(texture, lit)};
+    LayerSum sum;
+    bool reflects = false;
+    for (std::size_t i = 0; i < layers.size(); ++i) {
+      SurfaceShading::add_plain(layers[i], lit(i), sum);
+      reflects = reflects || layers[i].reflects;
     }
+    record.own = {sum.light};
+    if (reflects || sum.transparency > 0.0) go_on(state, hit, where, layers, sum, record);
   }
   /// What filters leave of a light at a place of a block.
   Rgb filters(const RayState& state, const MetPlace& where, std::uint32_t light,
@@ -112,8 +117,9 @@ class RayStepper {
 
   void shade(const RayState& state, const Hit& hit, const MetPlace& where, const BlockLights* block,
              std::size_t place, RayRecord& record);
-  void shade_plain(const RayState& state, const Hit& hit, const MetPlace& where,
-                   const PlainTexture& texture, const Rgb& lit, RayRecord& record);
+  /// Adds the rays that go on from plain layers.
+  void go_on(const RayState& state, const Hit& hit, const MetPlace& where,
+             std::span<const PlainLayer> layers, LayerSum& sum, RayRecord& record);
   ShadingBuffers& add_buffers();
   void add_onward(const LayerSum& sum, const Surface& at, const ShadingBuffers& buffers,
                   RayRecord& record);

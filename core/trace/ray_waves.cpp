@@ -15,7 +15,9 @@ RayWaves::RayWaves(ThreadContext& context, Integrator& integrator, ShadowTester&
   // Photons light surfaces one by one.
   const double bailout = context.scene.settings().adc_bailout;
   m_has_plain = m_plain.works() && !surface_photons(context) && bailout >= 0.0 && bailout < 1.0;
-  if (m_works) m_nodes = std::make_unique<Node[]>(kMostNodes);
+  if (!m_works) return;
+  m_nodes = std::make_unique<Node[]>(kMostNodes);
+  m_layers.reserve(kMost * PlainTextures::kMostLayers);
 }
 
 void RayWaves::trace(std::span<const Ray> rays, std::span<const SampleOfPixel> samples,
@@ -54,23 +56,42 @@ void RayWaves::meet(std::size_t first, std::size_t end, const FirstHits* known) 
   }
 }
 
+namespace {
+
+/// The side of a surface where lights may light one of its layers; a null vector: both.
+Vec3 front_of(std::span<const PlainLayer> layers, const MetPlace& where) {
+  if (layers.size() == 1) return layers.front().normal;
+  return std::ranges::any_of(layers, &PlainLayer::is_turned) ? Vec3() : where.normal;
+}
+
+}  // namespace
+
 [[gnu::always_inline]] inline void RayWaves::place(std::size_t at, const RayState& state,
                                                    const Hit& hit) {
   const MetPlace& place = *std::construct_at(&m_places[at], state.ray, hit);
-  m_lights.add(hit, place.point, place.normal, place.from_behind);
-  if (!m_has_plain) return;
-  m_plain.add(m_textures.find(*hit.leaf, place.from_behind), state.ray.direction);
+  if (m_has_plain) {
+    m_layer_count[at] = m_textures.add_layers(state.ray, hit, place, m_layers);
+    m_plain.add(layers(at), state.ray.direction);
+  }
+  if (m_textures.may_be_lit(*hit.leaf, place.from_behind)) {
+    m_lights.add(hit, place, front_of(layers(at), place));
+  } else {
+    m_lights.add_none();
+  }
 }
 
 void RayWaves::light(std::size_t first, std::size_t end) {
   m_lights.clear();
   m_plain.clear();
+  m_layers.clear();
   for (std::size_t at = 0; at < end - first; ++at) {
+    m_first_layer[at] = m_layers.size();
+    m_layer_count[at] = 0;
     if (const Hit* hit = m_hits[at]) {
       place(at, *m_nodes[first + at].state, *hit);
     } else {
       m_lights.add_none();
-      m_plain.add_none();
+      m_plain.add({}, {});
     }
   }
   m_lights.find();
@@ -86,9 +107,10 @@ void RayWaves::shade(std::size_t first, std::size_t end) {
     if (node.is_cut) continue;
     const std::size_t at = i - first;
     if (const Hit* hit = m_hits[at]) {
-      const PlainTexture* plain = m_has_plain ? m_plain.texture(at) : nullptr;
-      if (plain) {
-        m_stepper.see_plain(*node.state, *hit, m_places[at], *plain, m_plain.sum(at), node.record);
+      if (m_plain.is_known(at)) {
+        m_stepper.see_plain(
+            *node.state, *hit, m_places[at], layers(at),
+            [&](std::size_t layer) { return m_plain.sum(at, layer); }, node.record);
       } else {
         m_context.pixel = m_samples[node.root].pixel;
         m_stepper.see_surface(*node.state, *hit, m_places[at], &m_lights, at, node.record);

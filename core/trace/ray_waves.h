@@ -10,6 +10,7 @@
 #include <cstdint>
 #include <memory>
 #include <span>
+#include <vector>
 
 #include "core/base/pixel.h"
 #include "core/trace/block_lights.h"
@@ -66,6 +67,10 @@ class RayWaves {
   void meet(std::size_t first, std::size_t end, const FirstHits* hits);
   void light(std::size_t first, std::size_t end);
   void place(std::size_t at, const RayState& state, const Hit& hit);
+  /// Of a node that is shaded; none: its texture is not plain.
+  std::span<const PlainLayer> layers(std::size_t at) const {
+    return std::span(m_layers).subspan(m_first_layer[at], m_layer_count[at]);
+  }
   void shade(std::size_t first, std::size_t end);
   void add_onward(Node& node);
   void resolve();
@@ -85,6 +90,8 @@ class RayWaves {
   std::array<Hit, kMost> m_own_hits;
   std::array<const Hit*, kMost> m_hits;  ///< null: nothing
   std::array<MetPlace, kMost> m_places;
+  std::vector<PlainLayer> m_layers;  ///< of all
+  std::array<std::size_t, kMost> m_first_layer, m_layer_count;
 };
 
 }  // namespace lentray::core

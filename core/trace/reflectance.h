@@ -48,6 +48,11 @@ struct LayerLight {
   Rgb light;    ///< what arrives of the light
   Rgb pigment;
 };
+/// False: lights make nothing of it, whatever arrives of them.
+inline bool shows_light(const Finish& finish) {
+  return finish.diffuse != 0.0 || finish.diffuse_back != 0.0 || finish.specular != 0.0 ||
+         finish.phong != 0.0;
+}
 inline bool has_highlights(const Finish& finish) {
   return finish.phong > 0.0 || finish.specular > 0.0;
 }

@@ -15,15 +15,6 @@
 #include "core/trace/refraction.h"
 
 namespace lentray::core {
-namespace {
-
-bool shows_light(const Finish& finish) {
-  return finish.diffuse != 0.0 || finish.diffuse_back != 0.0 || finish.specular != 0.0 ||
-         finish.phong != 0.0;
-}
-
-}  // namespace
-
 SurfaceShading::SurfaceShading(ThreadContext& context, ShadowTester& shadows,
                                const PathRules& rules)
     : m_context(context), m_photons(surface_photons(context)), m_settings(context.scene.settings()),
@@ -62,7 +53,7 @@ void SurfaceShading::shade_layer(const TextureLayer& layer, Surface& at, LayerSu
     sum.top_finish = &finish;
   }
   if (m_paths.reflection) {
-    buffers.mirrors[sum.layers] = mirror_of(finish, colour.rgb, normal, at, sum);
+    buffers.mirrors[sum.layers] = mirror_of(finish, colour.rgb, normal, at, sum.transparency);
   }
 
   const bool may_be_clear = m_paths.transparency || m_paths.layers;
@@ -95,25 +86,25 @@ void SurfaceShading::shade_layer(const TextureLayer& layer, Surface& at, LayerSu
                                                                  const Finish& finish,
                                                                  const Vec3& normal,
                                                                  const Surface& at,
-                                                                 const LayerSum& sum) const {
+                                                                 double transparency) const {
   Mirror mirror;
   mirror.normal = normal;
   mirror.colour = share.colour;
-  mirror.weight = static_cast<float>(at.state.weight * sum.transparency) * share.weight;
+  mirror.weight = static_cast<float>(at.state.weight * transparency) * share.weight;
   mirror.exponent = 1.0 / finish.reflection_exponent;
   mirror.finish = &finish;
   return mirror;
 }
 
 Mirror SurfaceShading::mirror_of(const Finish& finish, const Rgb& pigment, const Vec3& normal,
-                                 const Surface& at, const LayerSum& sum) const {
+                                 const Surface& at, double transparency) const {
   if (!reflects(finish)) return {};
   const double cosine = -dot(at.ray().direction, normal);
   const double ior = finish.reflection_fresnel
                          ? relative_ior(at.interior(), m_context.interiors, at.state.inside,
                                         m_settings.atmosphere_ior)
                          : 1.0;
-  return mirror_with(reflectivity(finish, cosine, ior, pigment), finish, normal, at, sum);
+  return mirror_with(reflectivity(finish, cosine, ior, pigment), finish, normal, at, transparency);
 }
 
 [[gnu::noinline]] Rgb SurfaceShading::indirectly_lit(const Finish& finish, const Rgb& pigment,
@@ -270,20 +261,19 @@ Rgb SurfaceShading::lit(const Finish& finish, const Rgb& pigment, const Vec3& no
   return receiver.sum;
 }
 
-void SurfaceShading::shade_plain(const PlainTexture& texture, const Rgb& lit, const Surface& at,
-                                 ShadingBuffers& buffers, LayerSum& sum) const {
-  sum.light = with_plain(texture, lit);
-  sum.top_normal = at.normal;
-  sum.top_finish = texture.finish;
-  if (m_paths.reflection) {
-    if (buffers.mirrors.empty()) buffers.mirrors.resize(1);
-    const Finish& finish = *texture.finish;
-    buffers.mirrors[0] = texture.mirror ? mirror_with(*texture.mirror, finish, at.normal, at, sum)
-                                        : mirror_of(finish, texture.pigment, at.normal, at, sum);
+void SurfaceShading::find_mirrors(std::span<const PlainLayer> layers, const Surface& at,
+                                  ShadingBuffers& buffers) const {
+  if (!m_paths.reflection) return;
+  if (buffers.mirrors.size() < layers.size()) buffers.mirrors.resize(layers.size());
+  LayerSum above;
+  for (std::size_t i = 0; i < layers.size(); ++i) {
+    const PlainLayer& layer = layers[i];
+    const double clear = above.transparency;
+    buffers.mirrors[i] = layer.mirror
+                             ? mirror_with(*layer.mirror, *layer.finish, layer.normal, at, clear)
+                             : mirror_of(*layer.finish, layer.pigment, layer.normal, at, clear);
+    add_plain(layer, {}, above);
   }
-  sum.filter = texture.filter;
-  sum.transparency = texture.transparency;
-  sum.layers = 1;
 }
 
 bool SurfaceShading::collects_photons(const Surface& at) const {

@@ -5,9 +5,12 @@
 // measured on stock (tests/image/shading_depth_test.cpp).
 #pragma once
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <memory>
+#include <span>
 #include <vector>
 
 #include "core/material/texture.h"
@@ -79,17 +82,17 @@ class SurfaceShading {
   }
   /// From the top layer down, until next to nothing passes.
   void shade(const LayeredTexture& texture, Surface& at, ShadingBuffers& buffers, LayerSum& sum);
-  /// The same where `lit` is the light that the lights make of the surface's texture.
-  void shade_plain(const PlainTexture& texture, const Rgb& lit, const Surface& at,
-                   ShadingBuffers& buffers, LayerSum& sum) const;
-  /// All light of a plain texture itself.
-  static Rgb with_plain(const PlainTexture& texture, const Rgb& lit) {
-    Rgb own = texture.own;
+  /// The light of the next of the plain layers of a place, of which the lights make `lit`, and what passes it.
+  static void add_plain(const PlainLayer& layer, const Rgb& lit, LayerSum& sum) {
+    Rgb own = layer.own;
     own += lit;
-    Rgb sum;
-    sum += own * Rgb(1.0f);
-    return sum;
+    sum.light += own * sum.filter;
+    sum.filter *= layer.passed;
+    sum.transparency = std::min(1.0, static_cast<double>(std::fabs(grey(sum.filter))));
   }
+  /// The mirrors of all plain layers of a place.
+  void find_mirrors(std::span<const PlainLayer> layers, const Surface& at,
+                    ShadingBuffers& buffers) const;
   /// What filters leave of a light at a surface, as LightLoop::filters().
   Rgb filters(const RayState& state, const Vec3& point, int level, std::uint32_t light,
               const BlockLights& block, std::size_t place) const {
@@ -105,10 +108,11 @@ class SurfaceShading {
   struct Facing;
   struct Receiver;
   void shade_layer(const TextureLayer& layer, Surface& at, LayerSum& sum, ShadingBuffers& buffers);
+  /// `transparency`: of the layers above.
   Mirror mirror_with(const Reflectivity& share, const Finish& finish, const Vec3& normal,
-                     const Surface& at, const LayerSum& sum) const;
+                     const Surface& at, double transparency) const;
   Mirror mirror_of(const Finish& finish, const Rgb& pigment, const Vec3& normal, const Surface& at,
-                   const LayerSum& sum) const;
+                   double transparency) const;
   /// The light of other surfaces.
   Rgb indirectly_lit(const Finish& finish, const Rgb& pigment, const Vec3& normal, double opacity,
                      const Surface& at, ShadingBuffers& buffers, LayerSum& sum);

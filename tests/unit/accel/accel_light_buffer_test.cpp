@@ -79,14 +79,15 @@ class Together {
 
   void add(SceneMaker& make, const Vec3& point, const Object* object) {
     const Vec3 normal = normalized(make.point());
+    const Vec3 front = make.integer(2) == 0 ? normal : normalized(make.point());
     const int kind = make.integer(3);
     const Object* unmet = kind == 1 ? object : nullptr;
     if (kind == 0) {
       m_points.add_none();
     } else {
-      m_points.add(point, normal, unmet, 1e-3);
+      m_points.add(point, normal, front, unmet, 1e-3);
     }
-    m_given.push_back({point, normal, unmet, kind != 0});
+    m_given.push_back({point, normal, front, unmet, kind != 0});
     if (m_given.size() == LightPoints::kMost) ask();
   }
   void ask() {
@@ -100,7 +101,7 @@ class Together {
 
  private:
   struct Given {
-    Vec3 point, normal;
+    Vec3 point, normal, front;
     const Object* unmet;
     bool asks;
   };
@@ -118,7 +119,7 @@ class Together {
     if (!given.asks) return LightAnswers::kUnknown;
     const Vec3 to = m_light - given.point;
     const double up = dot(given.normal, to);
-    if (up < 0.0) return LightAnswers::kBehind;
+    if (dot(given.front, to) < 0.0) return LightAnswers::kBehind;
     const LightRay ray = ray_along(to);
     const double reach = ray.distance - kTolerance;
     LightBuffer::Spot spot;
