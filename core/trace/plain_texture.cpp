@@ -12,9 +12,9 @@ namespace lentray::core {
 namespace {
 
 bool is_plain(const Finish& finish) {
-  if (finish.subsurface || finish.conserve_energy) return false;
+  if (finish.subsurface) return false;
   if (!shows_light(finish)) return true;
-  return finish.diffuse > 0.0 && finish.diffuse_back == 0.0 && !(finish.crand > 0.0) &&
+  return finish.diffuse >= 0.0 && finish.diffuse_back == 0.0 && !(finish.crand > 0.0) &&
          !(finish.irid > 0.0);
 }
 
@@ -50,7 +50,10 @@ PlainTextures::Kind PlainTextures::made(const Texture& texture) const {
   for (const LayeredTexture* layered : all) {
     for (const TextureLayer& layer : layered->layers()) {
       kind.may_be_lit = kind.may_be_lit || shows_light(*layer.finish);
-      kind.is_plain = kind.is_plain && is_plain(*layer.finish);
+      // Where a mirror takes from what passes, the layers below depend on it.
+      const bool is_alone = layered->layers().size() == 1;
+      kind.is_plain =
+          kind.is_plain && is_plain(*layer.finish) && (is_alone || !layer.finish->conserve_energy);
     }
   }
   kind.everywhere = texture.everywhere();
