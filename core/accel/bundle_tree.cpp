@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <cmath>
 #include <typeinfo>
 
 #include "core/accel/nearest_rule.h"
@@ -244,6 +245,88 @@ class BundleTree::Search {
   alignas(32) const ObjectEntry* m_entry[RayBundle::kMost];  ///< of the nearest hit; null: none yet
   const ObjectEntry* m_found_by[RayBundle::kMost];           ///< whose hit m_hits holds
 };
+
+namespace {
+
+/// Whether a plane may be met between t_min and 1 by rays whose directions lie between two.
+bool may_meet(const Vec3& normal, double distance, const RayBundle& rays, double t_min) {
+  constexpr double kRounding = 1e-12, kBeyond = 1.0 + 1e-6;
+  const Vec3& o = rays.ray(0).origin;
+  const double sizes = std::fabs(distance) + std::fabs(o.x) + std::fabs(o.y) + std::fabs(o.z);
+  const double height = distance - dot(normal, o);
+  const double far = std::fabs(height) + kRounding * sizes;
+  double least = 0.0, most = 0.0;  // of the slopes
+  for (int a = 0; a < 3; ++a) {
+    const double x = normal[a] * rays.ray(0).direction[a], y = normal[a] * rays.ray(1).direction[a];
+    least += std::min(x, y);
+    most += std::max(x, y);
+  }
+  const double steepest = std::max(std::fabs(least), std::fabs(most));
+  if (std::fabs(height) - kRounding * sizes > kBeyond * steepest) return false;
+  if (!(least > 0.0) && !(most < 0.0)) return true;
+  const bool is_behind = (height < 0.0) == (least > 0.0) && std::fabs(height) > kRounding * sizes;
+  return !is_behind && !(far < t_min * std::min(std::fabs(least), std::fabs(most)));
+}
+
+}  // namespace
+
+/// The leaves of a walk.
+class BundleTree::OnlyOne {
+ public:
+  OnlyOne(const BundleTree& in, const BundleHull& hull, std::uint8_t unseen)
+      : m_in(in), m_hull(hull), m_unseen(unseen), m_reach(1, hull.upper(1.0)) {}
+
+  /// False: it is the second one.
+  bool take(const Object* object) {
+    if (m_found) return false;
+    m_found = object;
+    return true;
+  }
+  bool unbounded(const RayBundle& rays, double t_min) {
+    const auto& planes = m_in.m_tree.m_planes;
+    const auto& entries = m_in.m_tree.m_unbounded;
+    for (std::size_t i = 0; i < entries.size(); ++i) {
+      if (entries[i].flags & m_unseen) continue;
+      if (i < planes.size() && !may_meet(planes[i].normal, planes[i].distance, rays, t_min)) {
+        continue;
+      }
+      if (!take(entries[i].object)) return false;
+    }
+    return true;
+  }
+  LENTRAY_AVX2 bool operator()(std::uint32_t code) {
+    for (const ObjectEntry& e : m_in.m_tree.entries_of(code)) {
+      if (e.flags & m_unseen) continue;
+      const auto place = static_cast<std::size_t>(&e - m_in.m_tree.m_entries.data());
+      if ((m_reach.groups_at(m_hull, m_in.m_boxes[place]) & 1u) == 0) continue;
+      if (!take(e.object)) return false;
+    }
+    return true;
+  }
+  LENTRAY_AVX2 bool bounded() {
+    m_reach.update();
+    constexpr int kMostNodes = 8;
+    return walk_bundle(m_in.m_tree.m_tree, m_hull, m_reach, kMostNodes, *this);
+  }
+  const Object* found() const { return m_found; }
+
+ private:
+  const BundleTree& m_in;
+  const BundleHull& m_hull;
+  const std::uint8_t m_unseen;
+  BundleReach m_reach;
+  const Object* m_found = nullptr;
+};
+
+bool BundleTree::only_one(const RayBundle& rays, double t_min, std::uint8_t unseen,
+                          const Object*& object) const {
+  const BundleHull hull(rays, m_tree.m_tree.frame());
+  if (hull.fails) return false;
+  OnlyOne only(*this, hull, unseen);
+  if (!only.unbounded(rays, t_min) || (!hull.misses && !only.bounded())) return false;
+  object = only.found();
+  return true;
+}
 
 bool BundleTree::nearest(const RayBundle& rays, const Query& query, BundleHits& hits) const {
   const BundleHull hull(rays, m_tree.m_tree.frame());

@@ -40,10 +40,16 @@ class BundleTree {
   /// False: it takes too long, for the rays are too far apart; nothing is known of any. Else kMet or kMissed of
   /// each. The bundle is filled up.
   bool nearest(const RayBundle& rays, const Query& query, BundleHits& hits) const;
+  /// The only object that may be met between t_min and 1 by rays whose directions lie between those of the bundle,
+  /// number by number, and that begin where it does; null: there is none. False: there may be several. The bundle is
+  /// filled up. `unseen`: as Query's.
+  bool only_one(const RayBundle& rays, double t_min, std::uint8_t unseen,
+                const Object*& object) const;
   std::size_t memory() const { return m_boxes.capacity() * sizeof(PartBox); }
 
  private:
   class Search;
+  class OnlyOne;
   const ObjectTree& m_tree;
   std::vector<PartBox> m_boxes;  ///< one an entry of the tree, by place
   bool m_works;

@@ -384,6 +384,10 @@ const Object* Hierarchy::any_opaque(const Ray& ray, double t_min, double t_max, 
   return m_impl->any_opaque(ray, t_min, t_max, lists, none);
 }
 
+bool Hierarchy::only_opaque(const RayBundle& rays, double t_min, const Object*& object) const {
+  return m_impl->bundles->only_one(rays, t_min, kNoShadow | kTransparent, object);
+}
+
 void Hierarchy::all_transparent(const Ray& ray, double t_min, double t_max, bool nearest,
                                 std::vector<Hit>& hits, HitLists& lists, Counters* counters) const {
   if (!m_impl->filters || m_impl->filters->empty()) return;

@@ -45,6 +45,11 @@ class Hierarchy {
   const Object* any_opaque(const Ray& ray, double t_min, double t_max, HitLists& lists,
                            Counters* counters) const;
 
+  /// The only opaque object that any ray may meet between t_min and 1 which begins with those of the bundle and
+  /// whose direction lies between theirs, number by number; null: none is met. False: there may be several. Where
+  /// takes_bundles(); the bundle is filled up.
+  bool only_opaque(const RayBundle& rays, double t_min, const Object*& object) const;
+
   /// Every hit of objects that are not opaque, or the `nearest` of each alone, unsorted; shadow rays
   /// filtering coloured shadows.
   void all_transparent(const Ray& ray, double t_min, double t_max, bool nearest,

@@ -71,13 +71,23 @@ class Wave {
       // It wraps a little above 1, so that a pattern that ends at 1 keeps its last colour.
       constexpr double kWrap = 1.00001;
       value = value * frequency + phase;
-      if (!(std::fabs(value) < kWrap)) value = std::fmod(value, kWrap);
+      if (!(std::fabs(value) < kWrap)) value = wrapped(value, kWrap);
     }
     if (value < 0.0) value -= std::floor(value);
     return form == Form::kRamp ? value : shaped(value);
   }
 
  private:
+  /// std::fmod(). Of a number below twice another one the difference is exact: a few of them are the same bits.
+  static double wrapped(double value, double period) {
+    constexpr double kMost = 32.0;
+    double size = std::fabs(value);
+    if (!(size < 2.0 * kMost * period)) return std::fmod(value, period);
+    for (double part = kMost * period; part >= period; part *= 0.5) {
+      size -= size >= part ? part : 0.0;
+    }
+    return std::copysign(size, value);
+  }
   double shaped(double value) const;  ///< by the other forms
 };
 

@@ -29,37 +29,36 @@ bool clip(const Bounds& box, const Ray& ray, double& lo, double& hi) {
   return lo <= hi;
 }
 
-/// Steps from cell to cell along one axis.
+/// Steps along one axis, from block to block and, within one, from cell to cell.
 struct Stepper {
   int cell = 0, step = 0;
   double next = Bounds::kInf,
-         delta = Bounds::kInf;  ///< t of the next border, t from one to the next
+         delta = Bounds::kInf;  ///< t of the next cell's border, t from one to the next
+  int block = 0;                ///< its first cell
+  double end = Bounds::kInf;    ///< t where the block ends
 
   /// Numbers below 0 are clamped all the same: there is no need to round them down.
   Stepper(double p, double d, double from, int cells) : m_p(p), m_d(d), m_cells(cells) {
-    cell = std::clamp(static_cast<int>(p + d * from), 0, cells - 1);
+    const int first = std::clamp(static_cast<int>(p + d * from), 0, cells - 1);
     m_inverse = 1.0 / d;
     delta = std::fabs(m_inverse);
-    if (!(delta < Bounds::kInf)) return;
-    step = d > 0.0 ? 1 : -1;
-    next = t_of(cell + (d > 0.0 ? 1 : 0));
+    if (delta < Bounds::kInf) step = d > 0.0 ? 1 : -1;
+    set(first);
+    take_block();
   }
   double t_of(int border) const { return (border - m_p) * m_inverse; }
-  /// The first cell of the block that the present one is in.
-  int block_begin() const { return cell & ~(HeightGrid::kBlock - 1); }
-  /// How many cells of it there are.
-  int block_cells() const { return std::min(HeightGrid::kBlock, m_cells - block_begin()); }
-  /// t where that block ends.
-  double block_end() const {
-    return step == 0 ? Bounds::kInf : t_of(block_begin() + (step > 0 ? HeightGrid::kBlock : 0));
-  }
-  /// To the first cell beyond the block, or, within it, to that at t.
-  void leave_block() { set(block_begin() + (step > 0 ? HeightGrid::kBlock : -1)); }
+  /// How many cells there are in the block.
+  int block_cells() const { return std::min(HeightGrid::kBlock, m_cells - block); }
+  /// To the block that the cell is in, or out of the grid.
+  void take_block() { set_block(cell < m_cells ? cell & ~(HeightGrid::kBlock - 1) : m_cells); }
+  /// To the next block; the cell stays behind.
+  void leave_block() { set_block(block + step * HeightGrid::kBlock); }
+  /// To the cell where a ray comes into the block, or to that at t.
+  void go_to_border() { set(step > 0 ? block : block + HeightGrid::kBlock - 1); }
   void go_within_block(double t) {
-    const int begin = block_begin();
-    set(std::clamp(static_cast<int>(m_p + m_d * t), begin, begin + HeightGrid::kBlock - 1));
+    set(std::clamp(static_cast<int>(m_p + m_d * t), block, block + HeightGrid::kBlock - 1));
   }
-  bool is_within() const { return static_cast<unsigned>(cell) < static_cast<unsigned>(m_cells); }
+  bool is_within() const { return static_cast<unsigned>(block) < static_cast<unsigned>(m_cells); }
   void advance() {
     cell += step;
     next += delta;
@@ -69,6 +68,10 @@ struct Stepper {
   void set(int to) {
     cell = to;
     if (step != 0) next = t_of(cell + (step > 0 ? 1 : 0));
+  }
+  void set_block(int to) {
+    block = to;
+    if (step != 0) end = t_of(block + (step > 0 ? HeightGrid::kBlock : 0));
   }
 
   double m_p, m_d, m_inverse;
@@ -299,55 +302,55 @@ void HeightField::walk(const Ray& ray, double t_min, double t_max, Visit&& visit
   // Triangles reach a little into the cells beside their own: one more cell is looked at.
   const SlabTest test(in_grid, std::min(x.delta, z.delta));
   double from = first;
+  // Along whose axis the ray came into the block; null: its cell there is known.
+  const Stepper* entered = nullptr;
   while (x.is_within() && z.is_within()) {
-    const double x_end = x.block_end(), z_end = z.block_end(), end = std::min({x_end, z_end, last});
-    const auto go_past_block = [&] {
-      if (end >= last || !go_on(from)) return false;
-      const auto pass = [end](Stepper& leaves, Stepper& stays) {
-        stays.go_within_block(end);
-        leaves.leave_block();
-      };
-      if (x_end < z_end)
-        pass(x, z);
-      else
-        pass(z, x);
-      from = end;
-      return true;
-    };
-    const int bx = x.block_begin(), bz = z.block_begin();
-    const auto within =
-        test.part(m_grid->block(bx / HeightGrid::kBlock, bz / HeightGrid::kBlock), from, end);
-    if (!within.is_met) {
-      if (!go_past_block()) return;
-      continue;
-    }
-    if (within.from > from) {
-      from = within.from;
-      x.go_within_block(from);
-      z.go_within_block(from);
-    }
-    double y_from = height_at(from);
-    const auto columns = static_cast<unsigned>(x.block_cells()),
-               rows = static_cast<unsigned>(z.block_cells());
-    const std::uint16_t* corner = m_grid->corner(x.cell, z.cell);
-    bool is_in_block = true;
-    do {
-      const double to = std::min({x.next, z.next, last}), y_to = height_at(to);
-      cell(x.cell, z.cell, corner, in_grid, y_from, y_to, within_box);
-      if (to >= last || !go_on(from)) return;
-      from = to;
-      y_from = y_to;
-      if (x.next < z.next) {
-        x.advance();
-        corner += x.step;
-        is_in_block = static_cast<unsigned>(x.cell - bx) < columns;
-      } else {
-        z.advance();
-        corner += row;
-        is_in_block = static_cast<unsigned>(z.cell - bz) < rows;
+    const double end = std::min({x.end, z.end, last});
+    const auto within = test.part(
+        m_grid->block(x.block / HeightGrid::kBlock, z.block / HeightGrid::kBlock), from, end);
+    if (within.is_met) {
+      if (within.from > from) {
+        from = within.from;
+        x.go_within_block(from);
+        z.go_within_block(from);
+      } else if (entered) {
+        x.go_within_block(from);
+        z.go_within_block(from);
+        (entered == &x ? x : z).go_to_border();
       }
-    } while (is_in_block && from <= within.to);
-    if (is_in_block && !go_past_block()) return;
+      double y_from = height_at(from);
+      const auto columns = static_cast<unsigned>(x.block_cells()),
+                 rows = static_cast<unsigned>(z.block_cells());
+      const std::uint16_t* corner = m_grid->corner(x.cell, z.cell);
+      bool is_in_block = true;
+      do {
+        const double to = std::min({x.next, z.next, last}), y_to = height_at(to);
+        cell(x.cell, z.cell, corner, in_grid, y_from, y_to, within_box);
+        if (to >= last || !go_on(from)) return;
+        from = to;
+        y_from = y_to;
+        if (x.next < z.next) {
+          x.advance();
+          corner += x.step;
+          is_in_block = static_cast<unsigned>(x.cell - x.block) < columns;
+        } else {
+          z.advance();
+          corner += row;
+          is_in_block = static_cast<unsigned>(z.cell - z.block) < rows;
+        }
+      } while (is_in_block && from <= within.to);
+      if (!is_in_block) {
+        x.take_block();
+        z.take_block();
+        entered = nullptr;
+        continue;
+      }
+    }
+    if (end >= last || !go_on(from)) return;
+    Stepper& leaves = x.end < z.end ? x : z;
+    leaves.leave_block();
+    entered = &leaves;
+    from = end;
   }
 }
 

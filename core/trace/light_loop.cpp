@@ -51,7 +51,13 @@ Rgb LightLoop::of_area(const Rgb& colour, const LightRay& ray, ShadowQuery& quer
   RandomSequence places(branch_key(query.key, query.light), RandomSequence::Use::kLightArea);
   auto random_number = [&] { return places.next(); };
   const AreaAxes axes = area_axes(source.area, ray.direction);
-  return AreaSampler(source.area, axes, m_context.area, probe, random_number).colour();
+  // Rays of other lights run elsewhere: parallel ones, and those of cylinders.
+  if (is_straight(source)) {
+    query.only = m_shaft.only_object(query.ray.origin, source.position, source.area, axes);
+  }
+  const Rgb left = AreaSampler(source.area, axes, m_context.area, probe, random_number).colour();
+  query.only = {};
+  return left;
 }
 
 void LightLoop::look_ahead(const LightLists& lists, const Vec3& normal, const Hit& hit,

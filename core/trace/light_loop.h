@@ -21,6 +21,7 @@
 #include "core/light/light_ray.h"
 #include "core/object/leaf.h"
 #include "core/scene/tolerances.h"
+#include "core/trace/area_shaft.h"
 #include "core/trace/block_lights.h"
 #include "core/trace/plain_shadow_tester.h"
 #include "core/trace/random_key.h"
@@ -94,8 +95,8 @@ class LightLoop {
   /// (LightsAtPoint::forget_arriving() between points).
   LightLoop(ThreadContext& context, ShadowTester& shadows, bool area_lights, bool asked_again)
       : m_context(context), m_scene(context.scene), m_shadows(shadows), m_plain(shadows.plain()),
-        m_asked_again(asked_again),
-        m_tolerance(kShadowTolerance * context.scene.tolerance_scale()) {
+        m_asked_again(asked_again), m_tolerance(kShadowTolerance * context.scene.tolerance_scale()),
+        m_shaft(context) {
     for (std::size_t i = 0; i < m_scene.lights().size(); ++i) {
       m_sources.emplace_back(m_scene.lights()[i], static_cast<std::uint32_t>(i),
                              m_scene.light_buffer(i), area_lights);
@@ -294,7 +295,8 @@ class LightLoop {
   ShadowTester& m_shadows;
   PlainShadowTester* const m_plain;  ///< null: `m_shadows` is to be asked for each ray
   const bool m_asked_again;
-  const double m_tolerance;            ///< kShadowTolerance in this scene
+  const double m_tolerance;  ///< kShadowTolerance in this scene
+  AreaShaft m_shaft;
   std::vector<LightSource> m_sources;  ///< one a light of the scene
 };
 

@@ -185,6 +185,7 @@ void PlainLights::add(std::span<const PlainLayer> layers, const Vec3& eye) {
     for (int c = 0; c < 3; ++c) depth.sum[c][at] = 0.0f;
     if (!layer.is_lit) continue;
     m_lit |= bit;
+    if (layer.diffuse != 0.0) m_diffuse |= bit;
     if (layer.diffuse != 0.0 || layer.shines) m_shows |= bit;
     depth.lit |= bit;
     if (layer.shines) depth.shining |= bit;
@@ -222,10 +223,24 @@ void PlainLights::find_colours(const Light& light, const LightAnswers& answers) 
   }
 }
 
+bool PlainLights::may_show(const Light& light, const LightAnswers& answers,
+                           std::size_t place) const {
+  if (m_diffuse >> place & 1) return true;
+  const Rgb colour = colour_at(light, place);
+  const Vec3 eye{m_eye[0][place], m_eye[1][place], m_eye[2][place]};
+  for (std::size_t d = 0; d < m_deepest; ++d) {
+    if ((m_depths[d].shining >> place & 1) == 0) continue;
+    const PlainLayer& layer = *m_depths[d].layer[place];
+    if (may_shine(*layer.finish,
+                  {answers.direction_at(place), eye, layer.normal, colour, layer.pigment})) {
+      return true;
+    }
+  }
+  return false;
+}
+
 void PlainLights::filter(const Light& light, std::size_t place, const Rgb& left) {
-  Rgb colour = light.colour;
-  if (m_own_colour >> place & 1)
-    colour = {m_colour[0][place], m_colour[1][place], m_colour[2][place]};
+  Rgb colour = colour_at(light, place);
   colour *= left;
   if (is_dark(colour)) m_dark |= std::uint64_t{1} << place;
   set_colour(place, colour);

@@ -25,7 +25,7 @@ class PlainLights {
 
   void clear() {
     m_count = m_deepest = 0;
-    m_known = m_lit = m_shows = 0;
+    m_known = m_lit = m_shows = m_diffuse = 0;
   }
   /// The next place, with its layers from the top, which stay there; none: it is not lit here. `eye`: the direction of
   /// the ray that looks.
@@ -46,7 +46,11 @@ class PlainLights {
       for (std::uint64_t left = answers.filtered & m_shows & ~m_unlit; left != 0;
            left &= left - 1) {
         const auto place = static_cast<std::size_t>(__builtin_ctzll(left));
-        filter(light, place, filters(i, place));
+        if (may_show(light, answers, place)) {
+          filter(light, place, filters(i, place));
+        } else {
+          m_dark |= std::uint64_t{1} << place;
+        }
       }
       add_light(i, answers);
     }
@@ -73,7 +77,13 @@ class PlainLights {
   class Lanes;
   void drop_unknown();
   void find_colours(const Light& light, const LightAnswers& answers);
+  /// False: whatever filters leave of the light changes nothing there.
+  bool may_show(const Light& light, const LightAnswers& answers, std::size_t place) const;
   void filter(const Light& light, std::size_t place, const Rgb& left);
+  Rgb colour_at(const Light& light, std::size_t place) const {
+    if ((m_own_colour >> place & 1) == 0) return light.colour;
+    return {m_colour[0][place], m_colour[1][place], m_colour[2][place]};
+  }
   void add_light(std::uint32_t light, const LightAnswers& answers);
   void set_colour(std::size_t place, const Rgb& colour) {
     m_own_colour |= std::uint64_t{1} << place;
@@ -85,9 +95,10 @@ class PlainLights {
   bool m_works = false, m_counts_hits = false;
   std::size_t m_count = 0, m_deepest = 0;
   // Bits of places.
-  std::uint64_t m_known = 0;  ///< that are lit here, or by no light
-  std::uint64_t m_lit = 0;    ///< of which a layer is lit
-  std::uint64_t m_shows = 0;  ///< of which a layer shows light that is not nothing
+  std::uint64_t m_known = 0;    ///< that are lit here, or by no light
+  std::uint64_t m_lit = 0;      ///< of which a layer is lit
+  std::uint64_t m_shows = 0;    ///< of which a layer shows light that is not nothing
+  std::uint64_t m_diffuse = 0;  ///< of which a layer has diffuse light
   std::array<Depth, PlainTextures::kMostLayers> m_depths;
   alignas(32) double m_eye[3][kMost] = {};
   // Of the light that is added.

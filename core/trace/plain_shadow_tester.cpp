@@ -39,7 +39,11 @@ Visibility PlainShadowTester::search(const ShadowQuery& query) {
   }
   if (buffer && !buffer->serves(*spot, query.distance)) buffer = nullptr;
   const Object* blocker = nullptr;
-  if (buffer) {
+  if (query.only.is_known) {
+    const Object* only = query.only.object;
+    const RayQuery asked{m_context.lists, RayKind::kShadow};
+    if (only && only->any(query.ray, start(query), reach, asked)) blocker = only;
+  } else if (buffer) {
     const LightBuffer::Answer answer =
         buffer->any_opaque(*spot, query.ray, start(query), reach, m_context.lists, m_test_counters);
     blocker = answer.blocker;

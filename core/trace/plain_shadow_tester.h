@@ -55,6 +55,7 @@ class PlainShadowTester final : public ShadowTester {
   /// The same test against one opaque object of the scene: whether it alone blocks the query.
   bool blocks(const Object& object, const ShadowQuery& query) const {
     const double reach = query.distance - m_tolerance;
+    if (query.only.is_known && &object != query.only.object) return false;
     return reach > m_tolerance &&
            object.any(query.ray, start(query), reach, {m_context.lists, RayKind::kShadow});
   }

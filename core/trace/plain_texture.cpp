@@ -12,9 +12,9 @@ namespace lentray::core {
 namespace {
 
 bool is_plain(const Finish& finish) {
-  if (finish.subsurface || finish.conserve_energy) return false;
+  if (finish.subsurface) return false;
   if (!shows_light(finish)) return true;
-  return finish.diffuse > 0.0 && finish.diffuse_back == 0.0 && !(finish.crand > 0.0) &&
+  return finish.diffuse >= 0.0 && finish.diffuse_back == 0.0 && !(finish.crand > 0.0) &&
          !(finish.irid > 0.0);
 }
 
@@ -50,37 +50,41 @@ PlainTextures::Kind PlainTextures::made(const Texture& texture) const {
   for (const LayeredTexture* layered : all) {
     for (const TextureLayer& layer : layered->layers()) {
       kind.may_be_lit = kind.may_be_lit || shows_light(*layer.finish);
-      kind.is_plain = kind.is_plain && is_plain(*layer.finish);
+      // Where a mirror takes from what passes, the layers below depend on it.
+      const bool is_alone = layered->layers().size() == 1;
+      kind.is_plain =
+          kind.is_plain && is_plain(*layer.finish) && (is_alone || !layer.finish->conserve_energy);
     }
   }
   kind.everywhere = texture.everywhere();
   if (!kind.is_plain || !kind.everywhere || kind.everywhere->layers().size() != 1) return kind;
   const TextureLayer& layer = kind.everywhere->layers().front();
   const Colour* colour = layer.pigment->constant();
-  if (colour && !layer.normal) kind.fixed = layer_of(layer, *colour);
+  if (colour && !layer.normal) fill(layer, *colour, kind.fixed.emplace());
   return kind;
 }
 
-/// The operations and their order are those of SurfaceShading::shade_layer().
-PlainLayer PlainTextures::layer_of(const TextureLayer& layer, const Colour& colour) const {
+/// All but the normal. The operations and their order are those of SurfaceShading::shade_layer().
+[[gnu::always_inline]] inline void PlainTextures::fill(const TextureLayer& layer,
+                                                       const Colour& colour,
+                                                       PlainLayer& out) const {
   const Finish& finish = *layer.finish;
   const double opacity = m_may_be_clear ? layer_opacity(colour, m_settings) : 1.0;
-  PlainLayer plain;
-  plain.finish = &finish;
-  plain.pigment = colour.rgb;
-  plain.own = times(colour.rgb * finish.ambient * m_settings.ambient_light, opacity);
-  plain.own += times(colour.rgb * finish.emission, opacity);
-  plain.diffuse = finish.diffuse * opacity;
-  plain.passed = m_may_be_clear ? passed(colour) : Rgb(0.0f);
-  plain.is_turned = layer.normal != nullptr;
-  plain.is_lit = shows_light(finish);
-  plain.shines = has_highlights(finish);
-  plain.reflects = m_paths.reflection && reflects(finish);
-  if (plain.reflects && reflects_evenly(finish)) {
+  out.finish = &finish;
+  out.pigment = colour.rgb;
+  out.own = times(colour.rgb * finish.ambient * m_settings.ambient_light, opacity);
+  out.own += times(colour.rgb * finish.emission, opacity);
+  out.diffuse = finish.diffuse * opacity;
+  out.passed = m_may_be_clear ? passed(colour) : Rgb(0.0f);
+  out.is_turned = layer.normal != nullptr;
+  out.is_lit = shows_light(finish);
+  out.shines = has_highlights(finish);
+  out.reflects = m_paths.reflection && reflects(finish);
+  out.mirror.reset();
+  if (out.reflects && reflects_evenly(finish)) {
     constexpr double kAnyCosine = 0.5, kAnyIor = 1.0;
-    plain.mirror = reflectivity(finish, kAnyCosine, kAnyIor, colour.rgb);
+    out.mirror = reflectivity(finish, kAnyCosine, kAnyIor, colour.rgb);
   }
-  return plain;
 }
 
 /// Of a texture by place; null: several blend there.
@@ -91,16 +95,16 @@ const LayeredTexture* PlainTextures::resolved(const Texture& texture, const Vec3
   return m_found.size() == 1 && m_found.front().weight == 1.0 ? m_found.front().texture : nullptr;
 }
 
-std::size_t PlainTextures::add_layers(const Ray& ray, const Hit& hit, const MetPlace& where,
-                                      std::vector<PlainLayer>& out) {
+std::size_t PlainTextures::find_layers(const Ray& ray, const Hit& hit, const MetPlace& where,
+                                       PlainLayer* out) {
   const Attributes& attributes = hit.leaf->attributes();
   if (attributes.double_illuminate || attributes.lights || may_have_others(*hit.leaf)) return 0;
   const Texture* texture = texture_of(*hit.leaf, where.from_behind);
   const Kind& kind = kind_of(texture);
   if (!kind.is_plain) return 0;
   if (kind.fixed) {
-    out.push_back(*kind.fixed);
-    out.back().normal = where.normal;
+    *out = *kind.fixed;
+    out->normal = where.normal;
     return 1;
   }
   SurfaceContext surface{where.point, where.normal, ray.direction, &hit};
@@ -109,24 +113,21 @@ std::size_t PlainTextures::add_layers(const Ray& ray, const Hit& hit, const MetP
       kind.everywhere ? kind.everywhere : resolved(*texture, point, surface);
   if (!layered) return 0;
   const std::vector<TextureLayer>& layers = layered->layers();
-  const std::size_t before = out.size();
+  std::size_t count = 0;
   Rgb filter(1.0f);
   double transparency = 1.0;
   for (auto layer = layers.rbegin();
        layer != layers.rend() && transparency > m_settings.adc_bailout; ++layer) {
-    if (out.size() - before == kMostLayers) {
-      out.erase(out.begin() + static_cast<std::ptrdiff_t>(before), out.end());
-      return 0;
-    }
+    if (count == kMostLayers) return 0;
+    PlainLayer& added = out[count++];
     const Colour* constant = layer->pigment->constant();
-    out.push_back(layer_of(*layer, constant ? *constant : layer->pigment->colour(point, surface)));
-    PlainLayer& added = out.back();
+    fill(*layer, constant ? *constant : layer->pigment->colour(point, surface), added);
     if (layer->normal) surface.normal = layer->normal->perturb(point, where.normal, surface);
     added.normal = layer->normal ? surface.normal : where.normal;
     filter *= added.passed;
     transparency = std::min(1.0, static_cast<double>(std::fabs(grey(filter))));
   }
-  return out.size() - before;
+  return count;
 }
 
 }  // namespace lentray::core

@@ -7,7 +7,6 @@
 #include <cstddef>
 #include <optional>
 #include <unordered_map>
-#include <vector>
 
 #include "core/material/texture.h"
 #include "core/object/leaf.h"
@@ -20,6 +19,7 @@ namespace lentray::core {
 
 /// A layer at a place, with a finish of diffuse light and highlights: all of it but the light that lights make.
 struct PlainLayer {
+  PlainLayer() {}  // not defaulted: that would clear all
   const Finish* finish;
   Rgb pigment;
   Rgb own;         ///< light that needs no lights
@@ -43,10 +43,9 @@ class PlainTextures {
   bool may_be_lit(const Leaf& leaf, bool from_behind) {
     return may_have_others(leaf) || kind_of(texture_of(leaf, from_behind)).may_be_lit;
   }
-  /// Appends the layers of the place that ray has met, from the top, down to where next to nothing passes. 0: it has
-  /// others, and nothing is appended.
-  std::size_t add_layers(const Ray& ray, const Hit& hit, const MetPlace& where,
-                         std::vector<PlainLayer>& out);
+  /// Writes the layers of the place that a ray has met, from the top, down to where next to nothing passes; `out`: room
+  /// for kMostLayers. Returns how many; 0: it has others.
+  std::size_t find_layers(const Ray& ray, const Hit& hit, const MetPlace& where, PlainLayer* out);
 
  private:
   /// Of a texture, at all points.
@@ -68,7 +67,7 @@ class PlainTextures {
   }
   const Kind& another(const Texture* texture);
   Kind made(const Texture& texture) const;
-  PlainLayer layer_of(const TextureLayer& layer, const Colour& colour) const;
+  void fill(const TextureLayer& layer, const Colour& colour, PlainLayer& out) const;
   const LayeredTexture* resolved(const Texture& texture, const Vec3& point,
                                  const SurfaceContext& surface);
 

@@ -85,7 +85,7 @@ void RayStepper::go_on(const RayState& state, const Hit& hit, const MetPlace& wh
   const Surface at = surface_at(state, hit, where, record);
   if (m_buffers.empty()) add_buffers();
   ShadingBuffers& buffers = *m_buffers.front();
-  m_shading.find_mirrors(layers, at, buffers);
+  m_shading.find_mirrors(layers, at, buffers, sum);
   sum.top_normal = layers.front().normal;
   sum.top_finish = layers.front().finish;
   sum.layers = layers.size();

@@ -17,7 +17,7 @@ RayWaves::RayWaves(ThreadContext& context, Integrator& integrator, ShadowTester&
   m_has_plain = m_plain.works() && !surface_photons(context) && bailout >= 0.0 && bailout < 1.0;
   if (!m_works) return;
   m_nodes = std::make_unique<Node[]>(kMostNodes);
-  m_layers.reserve(kMost * PlainTextures::kMostLayers);
+  m_layers = std::make_unique<PlainLayer[]>(kMost * PlainTextures::kMostLayers);
 }
 
 void RayWaves::trace(std::span<const Ray> rays, std::span<const SampleOfPixel> samples,
@@ -70,7 +70,8 @@ Vec3 front_of(std::span<const PlainLayer> layers, const MetPlace& where) {
                                                    const Hit& hit) {
   const MetPlace& place = *std::construct_at(&m_places[at], state.ray, hit);
   if (m_has_plain) {
-    m_layer_count[at] = m_textures.add_layers(state.ray, hit, place, m_layers);
+    m_layer_count[at] = m_textures.find_layers(state.ray, hit, place, &m_layers[m_layers_used]);
+    m_layers_used += m_layer_count[at];
     m_plain.add(layers(at), state.ray.direction);
   }
   if (m_textures.may_be_lit(*hit.leaf, place.from_behind)) {
@@ -83,9 +84,9 @@ Vec3 front_of(std::span<const PlainLayer> layers, const MetPlace& where) {
 void RayWaves::light(std::size_t first, std::size_t end) {
   m_lights.clear();
   m_plain.clear();
-  m_layers.clear();
+  m_layers_used = 0;
   for (std::size_t at = 0; at < end - first; ++at) {
-    m_first_layer[at] = m_layers.size();
+    m_first_layer[at] = m_layers_used;
     m_layer_count[at] = 0;
     if (const Hit* hit = m_hits[at]) {
       place(at, *m_nodes[first + at].state, *hit);

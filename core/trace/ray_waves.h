@@ -10,7 +10,6 @@
 #include <cstdint>
 #include <memory>
 #include <span>
-#include <vector>
 
 #include "core/base/pixel.h"
 #include "core/trace/block_lights.h"
@@ -69,7 +68,7 @@ class RayWaves {
   void place(std::size_t at, const RayState& state, const Hit& hit);
   /// Of a node that is shaded; none: its texture is not plain.
   std::span<const PlainLayer> layers(std::size_t at) const {
-    return std::span(m_layers).subspan(m_first_layer[at], m_layer_count[at]);
+    return {&m_layers[m_first_layer[at]], m_layer_count[at]};
   }
   void shade(std::size_t first, std::size_t end);
   void add_onward(Node& node);
@@ -90,7 +89,8 @@ class RayWaves {
   std::array<Hit, kMost> m_own_hits;
   std::array<const Hit*, kMost> m_hits;  ///< null: nothing
   std::array<MetPlace, kMost> m_places;
-  std::vector<PlainLayer> m_layers;  ///< of all
+  std::unique_ptr<PlainLayer[]> m_layers;  ///< of all: room for as many as there may be
+  std::size_t m_layers_used = 0;
   std::array<std::size_t, kMost> m_first_layer, m_layer_count;
 };
 

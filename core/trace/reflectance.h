@@ -4,6 +4,7 @@
 // tests/image/shading_finish_test.cpp.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 
 #include "core/base/color.h"
@@ -90,6 +91,15 @@ inline double specular_intensity(const Finish& finish, const LayerLight& on) {
   const double size = length(halfway);
   if (!(size > 0.0)) return 0.0;
   return specular_of(finish, dot(halfway, on.normal) / size);
+}
+/// False: no highlight of that light, nor what strengthens it less than 1e10 times, changes a sum.
+inline bool may_shine(const Finish& finish, const LayerLight& on) {
+  constexpr double kNothing = 1e-60;  // far below the least float
+  const Rgb& c = on.light;
+  const double most = std::max({std::fabs(c.r), std::fabs(c.g), std::fabs(c.b)});
+  const double phong = finish.phong > 0.0 ? phong_intensity(finish, on) : 0.0;
+  const double specular = finish.specular > 0.0 ? specular_intensity(finish, on) : 0.0;
+  return !((phong + specular) * most < kNothing);
 }
 inline bool reflects(const Finish& finish) {
   return !finish.reflection_max.is_black() || !finish.reflection_min.is_black();

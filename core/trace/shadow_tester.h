@@ -9,6 +9,7 @@
 #include "core/accel/light_buffer.h"
 #include "core/base/color.h"
 #include "core/object/object.h"
+#include "core/trace/area_shaft.h"
 #include "core/trace/interiors_id.h"
 
 namespace lentray::core {
@@ -33,6 +34,8 @@ struct ShadowQuery {
   std::uint32_t column = 0, row = 0;  ///< of the pixel, for caches that follow the image
   /// Of the ray's origin in the light's buffer where that is known; null: to be found.
   const LightBuffer::Spot* spot = nullptr;
+  /// Of all opaque objects, where that is known: what the ray meets if it meets any.
+  OnlyObject only;
   InteriorsId inside = InteriorsId::kOpen;  ///< of the ray that is shaded, of the thread's table
   std::uint64_t key = 0;                    ///< of the random numbers of the ray's origin
 };

@@ -15,6 +15,16 @@
 #include "core/trace/refraction.h"
 
 namespace lentray::core {
+namespace {
+
+/// Of what passes a layer that conserves energy.
+Rgb left_by_mirror(const Mirror& mirror) {
+  const Rgb& c = mirror.colour;
+  return {std::min(1.0f, 1.0f - c.r), std::min(1.0f, 1.0f - c.g), std::min(1.0f, 1.0f - c.b)};
+}
+
+}  // namespace
+
 SurfaceShading::SurfaceShading(ThreadContext& context, ShadowTester& shadows,
                                const PathRules& rules)
     : m_context(context), m_photons(surface_photons(context)), m_settings(context.scene.settings()),
@@ -72,9 +82,7 @@ void SurfaceShading::shade_layer(const TextureLayer& layer, Surface& at, LayerSu
   if (may_be_clear) {
     sum.filter *= passed(colour);
     if (m_paths.reflection && finish.conserve_energy) {
-      const Rgb& mirror = buffers.mirrors[sum.layers].colour;
-      sum.filter *= Rgb(std::min(1.0f, 1.0f - mirror.r), std::min(1.0f, 1.0f - mirror.g),
-                        std::min(1.0f, 1.0f - mirror.b));
+      sum.filter *= left_by_mirror(buffers.mirrors[sum.layers]);
     }
     sum.transparency = std::min(1.0, static_cast<double>(std::fabs(grey(sum.filter))));
   } else {
@@ -195,14 +203,8 @@ struct SurfaceShading::Receiver {
     const double diffuse = behind ? finish.diffuse_back : finish.diffuse;
     if (diffuse > 0.0 && diffuse * opacity != 0.0) return true;
     if (!shines || light.source->shadowless || behind) return false;
-    constexpr double kNothing = 1e-60;  // far below the least float
-    const LayerLight on{light.ray.direction, surface.ray().direction, facing.normal, light.colour,
-                        pigment};
-    const Rgb& c = light.colour;
-    const double most = std::max({std::fabs(c.r), std::fabs(c.g), std::fabs(c.b)});
-    const double phong = finish.phong > 0.0 ? phong_intensity(finish, on) : 0.0;
-    const double specular = finish.specular > 0.0 ? specular_intensity(finish, on) : 0.0;
-    return !((phong + specular) * most < kNothing);
+    return may_shine(finish, {light.ray.direction, surface.ray().direction, facing.normal,
+                              light.colour, pigment});
   }
   /// Of each point of an area light, with the shadow that all of the light has.
   [[gnu::noinline]] void receive_points(const IncomingLight& all) {
@@ -262,7 +264,7 @@ Rgb SurfaceShading::lit(const Finish& finish, const Rgb& pigment, const Vec3& no
 }
 
 void SurfaceShading::find_mirrors(std::span<const PlainLayer> layers, const Surface& at,
-                                  ShadingBuffers& buffers) const {
+                                  ShadingBuffers& buffers, LayerSum& sum) const {
   if (!m_paths.reflection) return;
   if (buffers.mirrors.size() < layers.size()) buffers.mirrors.resize(layers.size());
   LayerSum above;
@@ -274,6 +276,9 @@ void SurfaceShading::find_mirrors(std::span<const PlainLayer> layers, const Surf
                              : mirror_of(*layer.finish, layer.pigment, layer.normal, at, clear);
     add_plain(layer, {}, above);
   }
+  if (!layers.front().finish->conserve_energy) return;
+  sum.filter *= left_by_mirror(buffers.mirrors.front());
+  sum.transparency = std::min(1.0, static_cast<double>(std::fabs(grey(sum.filter))));
 }
 
 bool SurfaceShading::collects_photons(const Surface& at) const {

@@ -90,9 +90,9 @@ class SurfaceShading {
     sum.filter *= layer.passed;
     sum.transparency = std::min(1.0, static_cast<double>(std::fabs(grey(sum.filter))));
   }
-  /// The mirrors of all plain layers of a place.
-  void find_mirrors(std::span<const PlainLayer> layers, const Surface& at,
-                    ShadingBuffers& buffers) const;
+  /// The mirrors of all plain layers of a place. Takes from what passes them what a layer's mirror keeps.
+  void find_mirrors(std::span<const PlainLayer> layers, const Surface& at, ShadingBuffers& buffers,
+                    LayerSum& sum) const;
   /// What filters leave of a light at a surface, as LightLoop::filters().
   Rgb filters(const RayState& state, const Vec3& point, int level, std::uint32_t light,
               const BlockLights& block, std::size_t place) const {

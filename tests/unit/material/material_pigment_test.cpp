@@ -1,7 +1,9 @@
 // Pigments, from text to colours, against values that follow from the manual's definitions.
 #include <cmath>
+#include <random>
 
 #include "core/material/pigments.h"
+#include "core/pattern/pattern.h"
 #include "tests/unit/material/material_reading.h"
 
 namespace lentray::parser::test {
@@ -71,6 +73,20 @@ TEST(UnitMaterialPigment, GradientRampsAndRepeats) {
   EXPECT_NEAR(colour_at("gradient x", {3.25, 0, 0}).rgb.r, .25, 1e-4);
   EXPECT_NEAR(colour_at("gradient x", {-.25, 0, 0}).rgb.r, .75, 1e-6);
   EXPECT_NEAR(colour_at("gradient <0,3,0>", {0, .5, 0}).rgb.r, .5, 1e-6);
+}
+
+TEST(UnitMaterialPigment, WavesWrapAsTheRemainderOfADivisionDoes) {
+  core::Wave wave;
+  std::mt19937 random(5);
+  std::uniform_real_distribution<double> exponent(-3.0, 9.0);
+  for (int i = 0; i < 20'000; ++i) {
+    const double size = std::exp2(exponent(random)), value = i % 2 == 0 ? size : -size;
+    for (const double v : {value, std::nearbyint(value), std::nearbyint(value) * 1.00001}) {
+      double wrapped = std::fabs(v) < 1.00001 ? v : std::fmod(v, 1.00001);
+      if (wrapped < 0.0) wrapped -= std::floor(wrapped);
+      ASSERT_EQ(wave.apply(v), wrapped) << v;
+    }
+  }
 }
 
 TEST(UnitMaterialPigment, FrequencyPhaseAndWaves) {

@@ -59,6 +59,28 @@ const WaveScene kWaveScenes[] = {
     pigment { rgb <0.3, 0.8, 0.4> } finish { diffuse 0.4, 0.3 } double_illuminate } sphere { <0,
     0.5, -1>, 0.4 texture { pigment { rgbt 0.5 } } interior_texture { pigment { rgbt <0.2, 0.5, 1,
     0.6> } finish { reflection 0.4 } } })"},
+    {"patterns, bumps and layers",
+     R"(
+    sphere { <-1, 1, 0>, 0.9 pigment { granite scale 0.3 } normal { bumps 0.9 scale 0.05 } finish {
+    phong 0.6 reflection { 0.1, 0.7 fresnel } } interior { ior 1.4 } } sphere { <1, 1, 0>, 0.9
+    texture { pigment { wood turbulence 0.1 scale 0.2 color_map { [0 rgb <0.6, 0.4, 0.2>] [1 rgb
+    <0.3, 0.2, 0.1>] } } finish { specular 0.4 } } texture { pigment { bozo scale 0.2 color_map {
+    [0.3 rgbt 1] [0.6 rgbf <0.4, 0.6, 0.2, 0.5>] } } normal { wrinkles 1.4 scale 0.1 } finish {
+    diffuse 0.3 phong 0.7 reflection 0.1 } } } box { <-3, 0, 1>, <-2, 2, 2> texture { checker
+    texture { pigment { rgb <0.9, 0.8, 0.6> } finish { specular 0.5 metallic 0.7 } } texture {
+    pigment { marble scale 0.2 } normal { dents 0.8 scale 0.1 } finish { brilliance 2.5 phong 0.2
+    } } scale 0.3 } } sphere { <0, 2.4, 0>, 0.5 pigment { gradient y color_map { [0 rgb 1] [1 rgbt
+    <1, 1, 1, 0.95>] } scale 0.4 } finish { diffuse 0 ambient 0.7 } } sphere { <0, 0.3, -1>, 0.3
+    texture { gradient x texture_map { [0.2 pigment { rgb 0.2 }] [0.8 pigment { agate }] } scale
+    0.3 } })"},
+    {"spotlights and lights that fade",
+     R"(
+    light_source { <-2, 4, -2>, rgb 0.6 spotlight radius 12 falloff 20 tightness 3 point_at y }
+    light_source { <0, 5, 3>, rgb 0.4 fade_distance 3 fade_power 2 } light_source { <2, 5, -3>,
+    rgb <0.1, 0.5, 0.9> spotlight radius 5 falloff 6 fade_distance 2 fade_power 3 point_at y }
+    sphere { <1, 1, 0>, 0.8 pigment { rgbf 0.6 } finish { reflection 0.3 phong 0.7 } } sphere {
+    <-1, 1, 0>, 0.8 pigment { spotted scale 0.1 } normal { bumps 0.4 scale 0.1 } finish {
+    reflection 0.6 phong 0.4 } })"},
     {"lights of all kinds",
      R"(
     light_source { <-2, 4, -2>, rgb 0.6 spotlight radius 12 falloff 20 point_at y } light_source {
