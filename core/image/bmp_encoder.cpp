@@ -15,7 +15,7 @@ constexpr std::uint64_t kHead = 14 + 40;
 class BmpEncoder final : public PictureEncoder {
  public:
   BmpEncoder(const std::filesystem::path& path, const PictureSpec& spec)
-      : m_file(path, spec.spare), m_width(spec.width), m_left(spec.height),
+      : m_file(path, spec.spare, spec.count), m_width(spec.width), m_left(spec.height),
         m_channels(spec.channels),
         m_row((std::uint64_t{spec.width} * static_cast<std::uint64_t>(spec.channels) + 3) / 4 * 4) {
     const std::uint64_t pixels = m_row * spec.height;

@@ -9,6 +9,7 @@
 #include <cerrno>
 #include <cstring>
 #include <stdexcept>
+#include <string>
 
 namespace lentray::core {
 namespace {
@@ -22,7 +23,8 @@ bool is_lack_of_room(int error) { return error == ENOSPC || error == EDQUOT; }
 
 }  // namespace
 
-ByteFile::ByteFile(const std::filesystem::path& path, SpareRoom* spare) : m_spare(spare) {
+ByteFile::ByteFile(const std::filesystem::path& path, SpareRoom* spare, CountBytes count)
+    : m_spare(spare), m_count(count) {
   m_file = ::open(path.c_str(), O_RDWR | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
   if (m_file < 0) fail();
   m_buffer.reserve(kBuffer);
@@ -94,6 +96,8 @@ void ByteFile::close() {
 }
 
 void ByteFile::put(std::uint64_t place, const char* bytes, std::size_t size) {
+  if (const std::string why = m_count ? m_count(size) : ""; !why.empty())
+    throw std::runtime_error(why);
   const bool is_held = std::ranges::any_of(m_pieces, [&](const Piece& piece) {
     return piece.place < place + size && place < piece.end();
   });

@@ -1,4 +1,5 @@
-// A file to write bytes to, for encoders. Errors: std::runtime_error with the system's reason.
+// A file to write bytes to, for encoders. Errors: std::runtime_error with the system's reason, or that of
+// core/image/written_bytes.h.
 //
 // Where the disk or the quota has no room left, and there is spare room, what does not fit is
 // held in memory until it is known how much that is: spare room is given up only where all fits
@@ -13,13 +14,15 @@
 #include <vector>
 
 #include "core/image/spare_room.h"
+#include "core/image/written_bytes.h"
 
 namespace lentray::core {
 
 class ByteFile {
  public:
-  /// Empties the file. `spare`: null: there is none.
-  explicit ByteFile(const std::filesystem::path& path, SpareRoom* spare = nullptr);
+  /// Empties the file. `spare`: null: there is none. `count`: is asked before bytes are written.
+  explicit ByteFile(const std::filesystem::path& path, SpareRoom* spare = nullptr,
+                    CountBytes count = nullptr);
   ~ByteFile();
   ByteFile(const ByteFile&) = delete;
   ByteFile& operator=(const ByteFile&) = delete;
@@ -50,6 +53,7 @@ class ByteFile {
 
   int m_file = -1;
   SpareRoom* m_spare;
+  const CountBytes m_count;
   std::uint64_t m_start = 0;  ///< of the buffer, in the file
   std::vector<char> m_buffer;
   std::vector<Piece> m_pieces;

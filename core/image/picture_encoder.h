@@ -10,6 +10,7 @@
 #include <memory>
 
 #include "core/image/writer.h"
+#include "core/image/written_bytes.h"
 
 namespace lentray::core {
 
@@ -26,6 +27,7 @@ struct PictureSpec {
   double file_gamma = 1.0;  ///< unless srgb
   ImageMetadata metadata{};
   SpareRoom* spare = nullptr;  ///< that gives way to the file; null: there is none
+  CountBytes count = nullptr;  ///< is asked before bytes are written
 };
 
 class PictureEncoder {

@@ -39,7 +39,7 @@ class PngEncoder final : public PictureEncoder {
   PngEncoder(const std::filesystem::path& path, const PictureSpec& spec, SpareRoom* spare)
       : m_row_bytes(std::size_t{spec.width} * static_cast<std::size_t>(spec.channels) *
                     static_cast<std::size_t>(spec.bits / 8)),
-        m_file(path, spare) {}
+        m_file(path, spare, spec.count) {}
 
   static void write(png_structp png, png_bytep data, png_size_t size) {
     static_cast<PngEncoder*>(png_get_io_ptr(png))->m_file.write(data, size);

@@ -11,7 +11,7 @@ namespace {
 class PpmEncoder final : public PictureEncoder {
  public:
   PpmEncoder(const std::filesystem::path& path, const PictureSpec& spec)
-      : m_file(path, spec.spare),
+      : m_file(path, spec.spare, spec.count),
         m_row(std::size_t{spec.width} * static_cast<std::size_t>(spec.channels)),
         m_wide(spec.bits == 16) {
     const int levels = spec.levels != 0 ? spec.levels : spec.bits;

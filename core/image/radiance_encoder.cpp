@@ -16,7 +16,7 @@ constexpr std::size_t kShortestRun = 4, kLongestRun = 127, kLongestPlain = 128;
 class RadianceEncoder final : public PictureEncoder {
  public:
   RadianceEncoder(const std::filesystem::path& path, const PictureSpec& spec)
-      : m_file(path, spec.spare), m_width(spec.width) {
+      : m_file(path, spec.spare, spec.count), m_width(spec.width) {
     m_file.write("#?RADIANCE\n");
     if (!spec.metadata.software.empty()) m_file.write("SOFTWARE=" + spec.metadata.software + "\n");
     for (const auto& [name, value] : spec.metadata.fields) m_file.write(name + "=" + value + "\n");

@@ -3,7 +3,6 @@
 #include <map>
 #include <mutex>
 #include <optional>
-#include <set>
 #include <utility>
 
 #include "core/base/ignored_error.h"
@@ -21,7 +20,7 @@ using FileNumber = std::pair<dev_t, ino_t>;
 struct RunFiles {
   std::mutex mutex;
   std::map<FileNumber, fs::path> inputs;
-  std::set<FileNumber> made;
+  std::map<FileNumber, fs::path> made;
   std::map<fs::path, std::string> outputs;  ///< by the real path
 };
 
@@ -44,16 +43,20 @@ bool may_be_plain(const fs::path& path) {
   return !fs::exists(status) || fs::is_regular_file(status);
 }
 
+/// The name of the file of that number; empty: there is none. The number of a file that was removed since may have become
+/// another's.
+fs::path name_of(const FileNumber& number, const std::map<FileNumber, fs::path>& files) {
+  const auto found = files.find(number);
+  return found != files.end() && plain_file(found->second) == number ? found->second : fs::path();
+}
+
 /// The name under which the run read the file that is there; empty: it did not.
 fs::path input_at(const fs::path& place) {
   const auto number = plain_file(place);
   if (!number) return {};
   RunFiles& files = run_files();
   const std::lock_guard lock(files.mutex);
-  const auto found = files.inputs.find(*number);
-  if (found == files.inputs.end()) return {};
-  // The number of a file that was removed since may have become another's.
-  return plain_file(found->second) == number ? found->second : fs::path();
+  return name_of(*number, files.inputs);
 }
 
 }  // namespace
@@ -62,7 +65,7 @@ void note_input(const struct stat& status, const fs::path& path) {
   if (!S_ISREG(status.st_mode)) return;
   RunFiles& files = run_files();
   const std::lock_guard lock(files.mutex);
-  if (files.made.contains(number_of(status))) return;
+  if (!name_of(number_of(status), files.made).empty()) return;
   files.inputs.insert_or_assign(number_of(status), fs::absolute(path, ignored_error()));
 }
 
@@ -76,7 +79,7 @@ void note_made(const fs::path& path) {
   if (!number) return;
   RunFiles& files = run_files();
   const std::lock_guard lock(files.mutex);
-  files.made.insert(*number);
+  files.made.insert_or_assign(*number, fs::absolute(path, ignored_error()));
   files.inputs.erase(*number);
 }
 

@@ -21,7 +21,8 @@ constexpr std::size_t kLongestPacket = 128;
 class TargaEncoder final : public PictureEncoder {
  public:
   TargaEncoder(const std::filesystem::path& path, const PictureSpec& spec)
-      : m_file(path, spec.spare), m_spec(spec), m_channels(static_cast<std::size_t>(spec.channels)),
+      : m_file(path, spec.spare, spec.count), m_spec(spec),
+        m_channels(static_cast<std::size_t>(spec.channels)),
         m_in_runs(spec.type == FileType::compressed_targa) {
     if (spec.width > kMostPixels || spec.height > kMostPixels) {
       throw std::runtime_error("a side of a Targa file has 65535 pixels at most");

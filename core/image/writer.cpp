@@ -103,7 +103,8 @@ PictureSpec spec_of(std::uint32_t width, std::uint32_t height, const ImageFormat
           .srgb = format.srgb,
           .file_gamma = format.file_gamma,
           .metadata = metadata,
-          .spare = spare};
+          .spare = spare,
+          .count = &count_written};
 }
 
 /// In pieces that stay in the processor's cache.

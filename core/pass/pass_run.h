@@ -81,12 +81,13 @@ class PassRun {
     return queue.committed();
   }
 
-  /// The same with results that are kept: a job that an earlier run committed is not made again.
+  /// The same with results that are kept: a job that an earlier run committed is not made again. Throws DamagedRecord.
   template <class T, class Make, class Commit>
   std::size_t in_order_kept(std::size_t jobs, Make&& make, Commit&& commit) {
     static_assert(std::is_trivially_copyable_v<T>);
     std::size_t job = 0;
     for (std::string record; job < jobs && recall(record); ++job) {
+      if (record.size() % sizeof(T) != 0) throw DamagedRecord();
       std::vector<T> result(record.size() / sizeof(T));
       if (!result.empty()) std::memcpy(result.data(), record.data(), result.size() * sizeof(T));
       if (!commit(job, std::move(result))) return job + 1;

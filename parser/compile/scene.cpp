@@ -209,6 +209,7 @@ core::SceneParts build_scene(SceneDesc& scene, Diagnostics& diagnostics,
   }
   for (auto& texture : textures.take_textures()) parts.textures.push_back(std::move(texture));
   parts.picture_bytes = textures.picture_bytes();
+  if (report) report->texture_bytes = textures.texture_bytes();
   warn_of_random_numbers(parts, textures, diagnostics);
   check_photons(scene.global, parts, diagnostics);
   warn_about_subsurface(scene, textures, diagnostics);

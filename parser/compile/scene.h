@@ -1,6 +1,7 @@
 // A scene's descriptions -> what the kernel compiles.
 #pragma once
 
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -24,6 +25,7 @@ struct BuildOptions {
 struct BuildReport {
   std::vector<std::string> not_rendered;  ///< features parsed and kept but not rendered yet, sorted
   std::vector<WatchedSlope> slopes;       ///< to report on after rendering
+  std::uint64_t texture_bytes = 0;        ///< TextureCompiler::texture_bytes()
 };
 
 /// Features that are kept and not rendered yet are named in one warning. `report`: null: nobody

@@ -1,5 +1,6 @@
 #include "parser/compile/texture_compiler.h"
 
+#include <algorithm>
 #include <array>
 #include <bit>
 #include <cstdint>
@@ -8,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/base/memory_stages.h"
 #include "core/material/normals.h"
 #include "core/material/picture.h"
 #include "core/material/pigments.h"
@@ -82,6 +84,29 @@ class Cache {
   std::vector<const Desc*> m_new;
 };
 
+/// How much memory textures take, as the allocator has it. It takes its time to say, so the first few are measured
+/// and the others count as their mean.
+class TextureBytes {
+ public:
+  /// What `make` makes; `pictures` are its bytes that do not count.
+  template <typename Make, typename Pictures>
+  auto count(Make make, Pictures pictures) {
+    if (++m_count > kMeasured) return make();
+    const std::uint64_t pictures_before = pictures(), before = core::heap_bytes();
+    auto made = make();
+    const std::uint64_t more = core::heap_bytes_since(before);
+    m_bytes += more - std::min(more, pictures() - pictures_before);
+    return made;
+  }
+  std::uint64_t all() const {
+    return m_count > kMeasured ? m_bytes / kMeasured * m_count : m_bytes;
+  }
+
+ private:
+  static constexpr std::uint64_t kMeasured = 256;
+  std::uint64_t m_count = 0, m_bytes = 0;
+};
+
 /// The entries of a map, each compiled.
 template <typename Map, typename Compile = std::identity>
 auto compiled_entries(const Map& map, Compile compile = {}) {
@@ -106,6 +131,7 @@ struct TextureCompiler::Impl {
   Cache<MediaDesc, core::Medium> media;
   Cache<ColourMapDesc, core::BlendMap<core::Colour>> colour_maps;
   std::vector<core::TexturePtr> made;  ///< all that was asked for
+  TextureBytes bytes;
   /// Some of the plain textures that were made: most scenes have few, on many objects.
   struct Plain {
     core::Colour colour;
@@ -129,14 +155,23 @@ struct TextureCompiler::Impl {
            texture.layers.front().is_plain();
   }
 
+  template <typename Make>
+  core::TexturePtr counted(Make make) {
+    made.push_back(bytes.count(make, [this] { return pictures.bytes(); }));
+    return made.back();
+  }
+
   core::TexturePtr compile_plain(const TextureLayerDesc& layer) {
     const core::Colour& colour = layer.pigment->colour;
     auto finish = compile(layer.finish);
     Plain& same = plain[place_of(colour, finish.get())];
     if (!same.made || same.finish != finish || same.colour != colour) {
-      std::vector<core::TextureLayer> one{{core::make_plain_pigment(colour), finish}};
-      made.push_back(std::make_shared<core::LayeredTexture>(std::move(one)));
-      same = {colour, std::move(finish), made.back()};
+      same.made = counted([&]() -> core::TexturePtr {
+        std::vector<core::TextureLayer> one{{core::make_plain_pigment(colour), finish}};
+        return std::make_shared<core::LayeredTexture>(std::move(one));
+      });
+      same.colour = colour;
+      same.finish = std::move(finish);
     }
     return same.made;
   }
@@ -330,8 +365,7 @@ std::shared_ptr<const core::Texture> TextureCompiler::texture(const Ref<TextureD
   const Ref<TextureDesc>& desc = texture ? texture : fallback;
   if (m_impl->is_plain(*desc)) return m_impl->compile_plain(desc->layers.front());
   return m_impl->textures.get(desc, [&] {
-    m_impl->made.push_back(m_impl->compile_fresh(*desc, core::Placement()));
-    return m_impl->made.back();
+    return m_impl->counted([&] { return m_impl->compile_fresh(*desc, core::Placement()); });
   });
 }
 
@@ -376,6 +410,7 @@ std::shared_ptr<const core::Medium> TextureCompiler::medium(const Ref<MediaDesc>
 
 bool TextureCompiler::has_subsurface() const { return m_impl->has_subsurface; }
 std::uint64_t TextureCompiler::picture_bytes() const { return m_impl->pictures.bytes(); }
+std::uint64_t TextureCompiler::texture_bytes() const { return m_impl->bytes.all(); }
 const FinishDesc* TextureCompiler::too_opaque() const { return m_impl->too_opaque.get(); }
 const std::set<std::string>& TextureCompiler::not_yet() const { return m_impl->not_yet; }
 bool TextureCompiler::has_crand() const { return m_impl->has_crand; }

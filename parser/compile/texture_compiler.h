@@ -51,6 +51,8 @@ class TextureCompiler {
 
   /// Of all pictures that were read so far.
   std::uint64_t picture_bytes() const;
+  /// Of all textures that were asked for so far, with their maps and without pictures; of many about.
+  std::uint64_t texture_bytes() const;
   /// Names of what was asked for and is not rendered yet.
   const std::set<std::string>& not_yet() const;
   /// Whether a finish so far has crand.

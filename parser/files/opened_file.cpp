@@ -9,6 +9,8 @@
 #include <cstdio>
 #include <cstring>
 
+#include "core/image/written_bytes.h"
+
 namespace lentray::parser {
 namespace {
 
@@ -20,6 +22,7 @@ class StreamWriter final : public FileWriter {
   StreamWriter& operator=(const StreamWriter&) = delete;
 
   std::string write(std::string_view bytes) override {
+    if (std::string why = core::count_written(bytes.size()); !why.empty()) return why;
     if (std::fwrite(bytes.data(), 1, bytes.size(), m_file) == bytes.size()) return {};
     return std::strerror(errno);
   }

@@ -12,6 +12,18 @@ struct Parser::Impl {
   Impl(SourceManager& sources, Diagnostics& diagnostics, const ParserOptions& options,
        Productions& productions, Parser& parser)
       : in(sources, diagnostics, options, productions, parser) {}
+  /// What is wrong with it has no place in the scene, but perhaps one in an INI file.
+  void include_header() {
+    try {
+      in.directives.include(in.options.include_header, {});
+    } catch (const ParseError& error) {
+      const Diagnostic& said = error.diagnostic();
+      if (said.where.file != 0 || in.options.header_place.empty()) throw;
+      in.diagnostics.fail({},
+                          said.message + " (Include_Header in " + in.options.header_place + ")");
+    }
+  }
+
   Interpreter in;
 };
 
@@ -27,8 +39,7 @@ void Parser::open(const std::string& path) {
   in.scene_folder = std::filesystem::path(path).parent_path().string();
   in.declare_constants();
   in.symbols.declare_global(in.names.intern("input_file_name")).reset(path);
-  const std::string& header = in.options.include_header;
-  if (!header.empty()) in.directives.include(header, {});
+  if (!in.options.include_header.empty()) m_impl->include_header();
 }
 
 const Token& Parser::peek() { return m_impl->in.tokens.peek(); }

@@ -53,6 +53,7 @@ struct ParserOptions {
   std::vector<std::pair<std::string, std::string>>
       declares;                ///< Declare=NAME=VALUE, VALUE float or string
   std::string include_header;  ///< read before the scene; empty: none
+  std::string header_place;    ///< where an INI file names it, "a.ini:3"; empty: nowhere
   FrameClock frame;
   int image_width = 160, image_height = 120;
   int language_version = 0;  ///< Version=, x 100; 0: the scene decides

@@ -24,24 +24,32 @@ std::string padded(std::string digits, std::size_t count) {
   return digits;
 }
 
-std::vector<AnimationFrame> frames_of_views(const AnimationOptions& options) {
-  const ViewFrames& views = options.views;
+AnimationFrames frames_of_views(const AnimationOptions& options) {
+  const ViewFrames views = options.views;
   const int count = static_cast<int>(views.count);
   const std::size_t digits = std::to_string(count - 1).size();
   const int from = subset(options.subset_start, count, 0);
   const int to = std::min(subset(options.subset_end, count, count - 1), count - 1);
-  std::vector<AnimationFrame> out;
-  for (long long view = from; view <= to; view += options.step) {
-    out.push_back({views.still, padded(std::to_string(view), digits)});
-    if (views.clocks) {
-      const double clock = view_clock(*views.clocks, static_cast<std::uint32_t>(view), views.count);
-      out.back().clock = still_clock(clock, true);
-    }
-  }
-  return out;
+  return {from, to, options.step, [views, digits](int view) {
+            AnimationFrame frame{views.still, padded(std::to_string(view), digits)};
+            if (views.clocks) {
+              const auto number = static_cast<std::uint32_t>(view);
+              frame.clock = still_clock(view_clock(*views.clocks, number, views.count), true);
+            }
+            return frame;
+          }};
 }
 
 }  // namespace
+
+AnimationFrames::AnimationFrames(int first, int last, int step, Make make)
+    : m_first(first), m_step(step),
+      m_size(last < first ? 0 : static_cast<std::size_t>((std::int64_t{last} - first) / step + 1)),
+      m_make(std::move(make)) {}
+
+AnimationFrame AnimationFrames::operator[](std::size_t place) const {
+  return m_make(static_cast<int>(m_first + static_cast<std::int64_t>(place) * m_step));
+}
 
 double view_clock(const std::pair<double, double>& clocks, std::uint32_t view,
                   std::uint32_t count) {
@@ -55,7 +63,7 @@ bool is_animation(const AnimationOptions& options) {
   return !(first == 0 && last == 0) && !(first == 1 && last == 1);
 }
 
-std::vector<AnimationFrame> frames_of(const AnimationOptions& options) {
+AnimationFrames frames_of(const AnimationOptions& options) {
   if (options.views.count > 0) return frames_of_views(options);
   const int initial = options.initial_frame.value_or(1);
   const int last = std::max(options.final_frame.value_or(1), initial);
@@ -74,15 +82,13 @@ std::vector<AnimationFrame> frames_of(const AnimationOptions& options) {
   const int from = std::max(subset(options.subset_start, end - initial + 1, initial), initial);
   const int to = std::max(subset(options.subset_end, end - initial + 1, last), from);
   const std::size_t digits = std::to_string(end).size();
-  std::vector<AnimationFrame> out;
-  for (long long number = from; number <= to; number += options.step) {
-    AnimationFrame frame{all, padded(std::to_string(number), digits)};
-    frame.clock.frame_number = static_cast<int>(number);
-    frame.clock.clock =
-        static_cast<float>(delta * static_cast<double>(number - initial) + initial_clock);
-    out.push_back(std::move(frame));
-  }
-  return out;
+  return {from, to, options.step, [=](int number) {
+            AnimationFrame frame{all, padded(std::to_string(number), digits)};
+            frame.clock.frame_number = number;
+            const double past = static_cast<double>(number) - initial;
+            frame.clock.clock = static_cast<float>(delta * past + initial_clock);
+            return frame;
+          }};
 }
 
 FrameClock still_clock(double clock, bool given) {

@@ -4,11 +4,13 @@
 // the digits of names measured on stock (tests/unit/parser/parser_animation_test). Pure functions.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
+#include <functional>
+#include <iterator>
 #include <optional>
 #include <string>
 #include <utility>
-#include <vector>
 
 namespace lentray::parser {
 
@@ -48,9 +50,49 @@ struct AnimationFrame {
 /// or both are 1. Views of a sheet are a loop too.
 bool is_animation(const AnimationOptions& options);
 
-/// All frames of an animation in order, at least one. An animation of one frame has its
-/// initial clock (in stock it is 0/0). The digits of views begin at 0; a subset may leave none.
-std::vector<AnimationFrame> frames_of(const AnimationOptions& options);
+/// The frames of an animation in order. There may be two thousand million: each is made when it is asked for.
+class AnimationFrames {
+ public:
+  class Iterator {
+   public:
+    using iterator_category = std::input_iterator_tag;
+    using value_type = AnimationFrame;
+    using difference_type = std::ptrdiff_t;
+    using pointer = void;
+    using reference = AnimationFrame;
+    Iterator(const AnimationFrames& frames, std::size_t at) : m_frames(frames), m_at(at) {}
+    AnimationFrame operator*() const { return m_frames[m_at]; }
+    Iterator& operator++() {
+      ++m_at;
+      return *this;
+    }
+    bool operator==(const Iterator& other) const { return m_at == other.m_at; }
+
+   private:
+    const AnimationFrames& m_frames;
+    std::size_t m_at;
+  };
+
+  using Make = std::function<AnimationFrame(int number)>;
+  /// Numbers `first`, `first` + `step` and so on to `last` at most.
+  AnimationFrames(int first, int last, int step, Make make);
+
+  std::size_t size() const { return m_size; }
+  bool empty() const { return m_size == 0; }
+  AnimationFrame operator[](std::size_t place) const;
+  AnimationFrame front() const { return (*this)[0]; }
+  Iterator begin() const { return {*this, 0}; }
+  Iterator end() const { return {*this, m_size}; }
+
+ private:
+  int m_first, m_step;
+  std::size_t m_size;
+  Make m_make;
+};
+
+/// At least one. An animation of one frame has its initial clock (in stock it is 0/0). The digits of views begin at 0; a
+/// subset may leave none.
+AnimationFrames frames_of(const AnimationOptions& options);
 
 /// A still's: `given`: Clock= or +K was.
 FrameClock still_clock(double clock, bool given);

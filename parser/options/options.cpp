@@ -6,6 +6,7 @@
 #include <cstdlib>
 #include <filesystem>
 
+#include "core/base/formed.h"
 #include "core/base/ignored_error.h"
 #include "core/base/memory_limit.h"
 #include "parser/base/shown.h"
@@ -448,6 +449,21 @@ std::string frame_path(const RenderOptions& options, const std::string& path) {
   return (whole.parent_path() /
           (whole.stem().string() + options.frame_digits + whole.extension().string()))
       .string();
+}
+
+void check_pixels(const RenderOptions& o) {
+  if (o.max_pixels == 0.0) return;
+  const bool has_views = o.animation.views.count > 0 && o.views.size;
+  const double width = has_views ? o.views.size->width : static_cast<double>(o.width);
+  const double height = has_views ? o.views.size->height : static_cast<double>(o.height);
+  const std::size_t pictures = is_animation(o.animation) ? frames_of(o.animation).size() : 1;
+  const double pixels = width * height * static_cast<double>(pictures);
+  if (pixels <= o.max_pixels) return;
+  throw OptionError(with_said(
+      core::formed("%s%.0f x %.0f pixels are more than the %.0f of Max_Pixels",
+                   pictures == 1 ? "" : (std::to_string(pictures) + " pictures of ").c_str(), width,
+                   height, o.max_pixels),
+      o, {"Width", "Height", "View_Size", "Views", "Initial_Frame", "Final_Frame"}));
 }
 
 void check_picture_size(std::int64_t width, std::int64_t height, double bytes_a_row,

@@ -127,6 +127,9 @@ struct RenderOptions {
   bool light_buffer = true;       ///< +UL: shadow rays to point lights look where the light sees
   double max_time = 0.0;          ///< seconds for the whole run; 0: no limit
   double max_memory = 0.0;        ///< bytes; 0: half of the machine's
+  double max_pixels = 0.0;        ///< of all pictures of the run; 0: no limit
+  double max_written = 0.0;       ///< bytes that the run writes to files; 0: no limit
+  std::uint64_t max_files = 0;    ///< that a scene opens; 0: no limit
   std::uint32_t band_height = 0;  ///< rows; 0: as the memory allows
   std::string statistics_file, dump_rays;
   std::string depth_view;    ///< file that --depth-view draws; empty: none
@@ -189,6 +192,9 @@ std::string frame_path(const RenderOptions& options, const std::string& path);
 /// distinguished), except that .tif, .tiff and .exr choose the type when no option did.
 /// "-": standard output. Sets `type` to what the file will be.
 std::string output_path(const RenderOptions& options, core::FileType& type);
+
+/// Throws OptionError if the pictures of the run have more pixels than Max_Pixels.
+void check_pixels(const RenderOptions& options);
 
 /// Throws OptionError if a picture has more pixels than can be thought of (2^40), or one row, which
 /// takes `bytes_a_row`, does not fit into `memory` bytes.

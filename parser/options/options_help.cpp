@@ -39,7 +39,7 @@ constexpr OptionHelp kAnimation[] = {
     {"Field_Render", kSwitch, "Read and ignored."},
     {"Odd_Field", kSwitch, "Read and ignored."},
 };
-constexpr OptionHelp kPicture[] = {
+constexpr OptionHelp kPictures[] = {
     {"Width", "n", "Columns of pixels (160)."},
     {"Height", "n", "Rows of pixels (120)."},
     {"Start_Column", "n",
@@ -196,6 +196,9 @@ constexpr OptionHelp kWork[] = {
     {"Max_Time", "n[s|m|h]",
      "How long the run may take; it ends with status 2, and +C goes on (no limit)."},
     {"Max_Memory", "n[M|G]", "How much memory to use (half of the machine's)."},
+    {"Max_Pixels", "n[M|G]", "How many pixels all pictures of the run may have (no limit)."},
+    {"Max_Written", "n[M|G]", "How much the run may write to files (no limit)."},
+    {"Max_Files", "n", "How many files a scene may open (no limit)."},
     {"Band_Height", "n", "Rows that are traced at a time (what fits)."},
     {"Pixel_Order", "auto|rows|views|columns|combined|strips|tiles|serpentine|hilbert|adaptive",
      "In which order pixels are traced; combined(w) and strips(w,h) take the size of a strip."},
@@ -316,7 +319,7 @@ constexpr OptionHelp kIgnored[] = {
 constexpr OptionGroup kGroups[] = {
     {"Scene", kScene},
     {"Animation", kAnimation},
-    {"Picture", kPicture},
+    {"Picture", kPictures},
     {"Antialiasing", kAntialiasing},
     {"Lens sheet", kSheet},
     {"How the work is done", kWork},

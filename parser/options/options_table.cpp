@@ -186,33 +186,49 @@ void set_scene_writes(Options& o, const Given& g) {
 /// Seconds, or with a unit: s, m or h.
 void set_time(Options& o, const Given& g) {
   const auto [number, unit] = quantity(g);
-  constexpr std::pair<std::string_view, double> kUnits[] = {
+  constexpr std::pair<std::string_view, double> kTimes[] = {
       {"", 1.0}, {"s", 1.0}, {"m", 60.0}, {"h", 3600.0}};
-  for (const auto& [name, seconds] : kUnits) {
+  for (const auto& [name, seconds] : kTimes) {
     if (!same_word(unit, name)) continue;
     o.max_time = number * seconds;
     return;
   }
   refuse(g, "unknown unit '" + unit + "': there are s, m and h");
 }
+constexpr std::string_view kPowers[] = {"", "K", "M", "G", "T"};
+[[noreturn]] void refuse_unit(const Given& g, const std::string& unit) {
+  refuse(g, "unknown unit '" + unit + "': there are K, M, G and T");
+}
 /// Bytes, or with a unit: K, M, G or T, as B, KB and KiB, powers of 1024.
-void set_memory(Options& o, const Given& g) {
-  constexpr std::string_view kUnits[] = {"", "K", "M", "G", "T"};
+template <double Options::*member>
+void set_bytes(Options& o, const Given& g) {
   constexpr double kLeast = 1024.0 * 1024.0;
   auto [bytes, unit] = quantity(g);
-  for (const std::string_view row : kUnits) {
+  for (const std::string_view row : kPowers) {
     const std::string name(row);
     if (same_word(unit, name) || same_word(unit, name + "B") ||
         (!name.empty() && same_word(unit, name + "iB"))) {
       if (bytes < kLeast) {
         refuse(g, "less than 1 MB; a unit may stand behind the number, such as 512M");
       }
-      o.max_memory = bytes;
+      o.*member = bytes;
       return;
     }
     bytes *= 1024.0;
   }
-  refuse(g, "unknown unit '" + unit + "': there are K, M, G and T");
+  refuse_unit(g, unit);
+}
+/// A count, or with a unit: K, M, G or T, powers of 1000.
+void set_pixels(Options& o, const Given& g) {
+  auto [pixels, unit] = quantity(g);
+  for (const std::string_view name : kPowers) {
+    if (same_word(unit, name)) {
+      o.max_pixels = pixels;
+      return;
+    }
+    pixels *= 1000.0;
+  }
+  refuse_unit(g, unit);
 }
 /// A size of less than a pixel is no size, and one that does not fit is not meant.
 std::int64_t size(Options& o, const Given& g) {
@@ -570,7 +586,12 @@ constexpr OptionRow kTable[] = {
             write_positive<&Options::radiosity_samples>>},
     {"Specialised_Paths", "", kFlag<&Options::specialised_paths>, kWay},
     {"Light_Buffer", "UL", kFlag<&Options::light_buffer>, kWay},
-    {"Max_Memory", "", {set_memory, write_positive<&Options::max_memory>}},
+    {"Max_Memory", "", {set_bytes<&Options::max_memory>, write_positive<&Options::max_memory>}},
+    {"Max_Pixels", "", {set_pixels, write_positive<&Options::max_pixels>}},
+    {"Max_Written", "", {set_bytes<&Options::max_written>, write_positive<&Options::max_written>}},
+    {"Max_Files", "",
+     kWhole<&Options::max_files, 1, std::numeric_limits<std::int32_t>::max(),
+            write_positive<&Options::max_files>>},
     {"Max_Time", "", {set_time, write_positive<&Options::max_time>}},
     {"Band_Height", "",
      kWhole<&Options::band_height, 1, std::numeric_limits<std::int32_t>::max(),

@@ -71,6 +71,26 @@ def memory_that_grows(check, folder, binaries):
     check(done.returncode == 1 and row["state"] == "failed" and "memory" in row["reason"], f"grows: {row.get('reason')}")
 
 
+def limits_of_lentray(check, folder, binaries):
+    """Its options hold for each scene; frames that nobody can wait for are no rows; a page that is not there is not named."""
+    scenes, out = folder / "limited", folder / "limited-out"
+    tools.write_scenes(scenes, 1)
+    for name, ini in (("wide", "Width=4000\nHeight=3000\nMax_Pixels=1T\n"), ("long", "Final_Frame=2000000000\n")):
+        (scenes / f"{name}.pov").write_text(tools.scene(1))
+        (scenes / f"{name}.ini").write_text(ini)
+    (out / "index.html").mkdir(parents=True)
+    done = tools.run(binaries, scenes, "--out", out, "--frames", "+W40", "+H30", "Max_Pixels=1M", "Max_Files=9", "Max_Written=50M")
+    rows = tools.rows(out)
+    check(rows["scene00"]["state"] == "done", f"within the limits: {rows['scene00']}")
+    for name in ("wide", "long"):
+        check(rows[name]["state"] == "failed" and "Max_Pixels" in rows[name]["reason"], f"{name}: {rows[name]}")
+    check(done.returncode == 1 and "page could not be written" in done.stderr, f"no page: {done.returncode} {done.stderr}")
+    check("index.html" not in done.stdout, f"a page that is not there is named: {done.stdout}")
+    done = tools.run(binaries, scenes / "long.pov", "--out", folder / "long-out", "--frames", "+W40", "+H30")
+    row = tools.rows(folder / "long-out")["long"]
+    check("2000000000 frames" in row["reason"] and done.returncode == 1, f"endless frames: {row}")
+
+
 def scenes_given_one_by_one(check, folder, binaries):
     """Two scenes of one name, from two folders."""
     for part in ("a", "b"):
@@ -125,4 +145,4 @@ def disk_that_fills(check, folder, binaries):
 
 
 if __name__ == "__main__":
-    tools.run_parts(__doc__, (bad_scenes, memory_that_grows, scenes_given_one_by_one, folder_of_another, disk_that_fills))
+    tools.run_parts(__doc__, (bad_scenes, memory_that_grows, limits_of_lentray, scenes_given_one_by_one, folder_of_another, disk_that_fills))

@@ -119,6 +119,18 @@ TEST(ImageMemory, WhatGrowsIsStopped) {
   }
 }
 
+/// Who is the memory's: each kind is named.
+TEST(ImageMemory, KindsAreNamed) {
+  const auto json = statistics({"+W64", "+H48"});
+  const auto& stages = json["memory"]["stages"];
+  for (const char* kind : {"tokens", "descriptions", "pictures", "textures", "objects", "hierarchy",
+                           "light_buffers", "film"})
+    EXPECT_TRUE(stages.contains(kind)) << kind;
+  EXPECT_GT(stages["textures"], 100);
+  EXPECT_LT(stages["textures"], 100'000);
+  EXPECT_GE(stages["film"], 64 * 48 * 16);
+}
+
 /// A print of 20 inches at 1200 dots an inch, with all defaults.
 TEST(SlowMemory, ALargePrintFitsIntoTwoGiB) {
   const auto json = statistics({"+W24000", "+H24000", "Lenticular=On", "Print_DPI=1200"}, 3500.0);

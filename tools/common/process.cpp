@@ -18,6 +18,7 @@
 #include "core/base/ignored_error.h"
 #include "core/image/file_swap.h"
 #include "core/image/writer.h"
+#include "core/image/written_bytes.h"
 
 namespace lentray::tool {
 
@@ -141,6 +142,8 @@ void write_text(const fs::path& path, const std::string& text) {
 
 void write_whole(const fs::path& place, const std::string& bytes) {
   core::FileSwap swap(place);
+  if (const std::string why = core::count_written(bytes.size()); !why.empty())
+    throw core::ImageError("cannot write " + core::shown_place(place) + ": " + why);
   std::ofstream file(swap.temporary(), std::ios::binary);
   file << bytes;
   file.close();

@@ -13,6 +13,7 @@
 #include "core/image/reader.h"
 #include "parser/files/watched_files.h"
 #include "parser/options/create_ini.h"
+#include "parser/options/said_options.h"
 #include "tools/common/companion.h"
 #include "tools/common/duration.h"
 #include "tools/common/json_text.h"
@@ -139,7 +140,15 @@ Job::Job(const Plan& plan, Scene scene, const parser::RenderOptions& options,
 }
 
 std::vector<parser::AnimationFrame> pictures_of(const parser::RenderOptions& options) {
-  std::vector<parser::AnimationFrame> frames = parser::frames_of(options.animation);
+  parser::check_pixels(options);
+  constexpr std::size_t kMost = 100'000;
+  const parser::AnimationFrames all = parser::frames_of(options.animation);
+  if (all.size() > kMost) {
+    throw parser::OptionError(parser::with_said(
+        core::formed("it has %zu frames, and a batch makes %zu of a scene", all.size(), kMost),
+        options, {"Initial_Frame", "Final_Frame", "Views"}));
+  }
+  std::vector<parser::AnimationFrame> frames(all.begin(), all.end());
   if (options.animation.views.count > 0) {
     for (parser::AnimationFrame& view : frames)
       view.clock.frame_number = std::atoi(view.digits.c_str());

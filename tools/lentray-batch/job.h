@@ -141,7 +141,7 @@ class Job {
 };
 
 /// The pictures of a scene that has more than one: frames of an animation, or the views of `Views=`, whose frame number
-/// is here that of the view.
+/// is here that of the view. Throws parser::OptionError if there are too many.
 std::vector<parser::AnimationFrame> pictures_of(const parser::RenderOptions& options);
 struct PictureSize {
   double width = 0.0, height = 0.0;

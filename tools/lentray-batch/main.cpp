@@ -263,7 +263,7 @@ class Batch {
     }
     if (!a.table.empty())
       tool::write_whole(a.table, table(rows(), command_of(a.words), stock_version()));
-    const Status status = summary();
+    const Status status = summary(has_page);
     return is_kept && has_page ? status : kSome;
   }
 
@@ -288,7 +288,7 @@ class Batch {
                : said.substr(at + 8, said.find_first_of(" \n", at + 8) - at - 8);
   }
 
-  Status summary() const {
+  Status summary(bool has_page) const {
     std::size_t done = 0, failed = 0, skipped = 0, warned = 0, below = 0;
     std::map<std::string, int> grades;
     for (const std::string& name : m_names) {
@@ -309,7 +309,8 @@ class Batch {
                        " with warnings";
     for (const auto& [grade, count] : grades) text += ", " + std::to_string(count) + " " + grade;
     if (below > 0) text += "; " + std::to_string(below) + " below the grade that is asked for";
-    std::printf("%s\n%s\n", text.c_str(), (m_plan.arguments.out / "index.html").c_str());
+    std::printf("%s\n", text.c_str());
+    if (has_page) std::printf("%s\n", (m_plan.arguments.out / "index.html").c_str());
     return (m_plan.arguments.asked ? below : failed) > 0 ? kSome : kAll;
   }
 

@@ -16,6 +16,8 @@
 #include "core/base/deep_threads.h"
 #include "core/base/memory_limit.h"
 #include "core/image/writer.h"
+#include "core/image/written_bytes.h"
+#include "core/pass/pass_ledger.h"
 #include "parser/base/shown.h"
 #include "parser/files/files.h"
 #include "parser/options/lens_sheets.h"
@@ -87,7 +89,7 @@ int Output::guarded(Work work) {
     return fail(line(error.what()));
   } catch (const std::exception& error) {
     if (is_one_of<parser::OptionError, parser::BuildError, parser::FileRefused, camera::CameraError,
-                  core::ImageError, core::NoRoom, std::system_error>(error))
+                  core::ImageError, core::NoRoom, core::DamagedRecord, std::system_error>(error))
       return fail_nowhere(error.what());
     // A length_error: more than any memory holds.
     if (is_one_of<std::bad_alloc, std::length_error>(error)) return fail_nowhere(kNoMemory);
@@ -119,6 +121,7 @@ int render(const parser::RenderOptions& options, tool::RunGuard& guard, Output& 
   warnings.say();
   guard.limit_memory(options.max_memory > 0.0 ? options.max_memory : tool::machine_memory());
   if (options.max_time > 0.0) guard.limit_time(options.max_time);
+  if (options.max_written > 0.0) core::limit_written(options.max_written);
   const int status = out.guarded([&] {
     try {
       return tool::run(options, guard.asked(), *out.form, warnings);
@@ -158,6 +161,7 @@ int run_main(int argc, char** argv) {
       std::fputs(parser::lens_sheet_list(options, files).c_str(), stdout);
     } else {
       parser::judge_outputs(options);
+      parser::check_pixels(options);
       out.texts.emplace(options);
       out.form = tool::make_message_form(options.stock_messages.value_or(as_povray), *out.texts);
     }

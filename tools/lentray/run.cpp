@@ -34,14 +34,10 @@ CommandContext command_context(const RenderOptions& o, const parser::FrameClock&
 }
 
 /// All frames there are: those of the animation, or the still alone.
-struct Frames {
-  std::vector<parser::AnimationFrame> list;
-  bool is_animation = false;
-};
-
-Frames frames_of(const RenderOptions& o) {
-  if (parser::is_animation(o.animation)) return {parser::frames_of(o.animation), true};
-  return {{{parser::still_clock(o.clock, o.clock_given), ""}}, false};
+parser::AnimationFrames frames_of(const RenderOptions& o) {
+  if (parser::is_animation(o.animation)) return parser::frames_of(o.animation);
+  const parser::AnimationFrame still{parser::still_clock(o.clock, o.clock_given), ""};
+  return {0, 0, 1, [still](int) { return still; }};
 }
 
 /// One run of the program over its frames. Every frame reads the scene afresh, for it may read what
@@ -51,10 +47,10 @@ class Loop {
   Loop(const RenderOptions& options, const std::string& scene, const std::atomic<bool>& cancel,
        MessageForm& form, Warnings& warnings)
       : m_options(options), m_scene(scene), m_cancel(cancel), m_form(form), m_warnings(warnings),
-        m_frames(frames_of(options)) {}
+        m_frames(frames_of(options)), m_is_animation(parser::is_animation(options.animation)) {}
 
   Status without_commands() {
-    for (std::size_t i = 0; i < m_frames.list.size(); ++i) {
+    for (std::size_t i = 0; i < m_frames.size(); ++i) {
       const Status status = make(i);
       if (status != kDone) return status;
     }
@@ -70,7 +66,7 @@ class Loop {
   }
 
   Status with_commands(Commands& commands) {
-    const CommandContext scene = command_context(m_options, m_frames.list.front().clock);
+    const CommandContext scene = command_context(m_options, m_frames.front().clock);
     try {
       const Status status = scene_with_commands(commands, scene);
       if (status == kAborted) commands.run(CommandKind::kUserAbort, scene);
@@ -86,12 +82,12 @@ class Loop {
   enum class Next { kFrame, kEndOfScene, kQuit, kAbort };
 
   Status make(std::size_t i) {
-    const parser::AnimationFrame& frame = m_frames.list[i];
+    const parser::AnimationFrame frame = m_frames[i];
     RenderOptions one = m_options;
     one.frame_digits = frame.digits;
-    if (m_frames.is_animation) m_form.begin_frame(one, frame.clock, i + 1, m_frames.list.size());
-    const bool is_last = i + 1 == m_frames.list.size();
-    return run_picture({one, frame.clock, m_scene, m_kept, is_last, m_frames.is_animation,
+    if (m_is_animation) m_form.begin_frame(one, frame.clock, i + 1, m_frames.size());
+    const bool is_last = i + 1 == m_frames.size();
+    return run_picture({one, frame.clock, m_scene, m_kept, is_last, m_is_animation,
                         [this] {
                           m_form.texts().keep();
                           write_ini();
@@ -99,12 +95,12 @@ class Loop {
                        m_cancel, m_form, m_warnings);
   }
 
-  /// Frames say that they are finished only while there is one that is not.
-  void forget_frames() const {
-    if (!m_frames.is_animation || !m_options.output_to_file) return;
+  /// Frames say that they are finished only while there is one that is not. Of the first `count`.
+  void forget_frames(std::size_t count) const {
+    if (!m_is_animation || !m_options.output_to_file) return;
     RenderOptions one = m_options;
-    for (const parser::AnimationFrame& frame : m_frames.list) {
-      one.frame_digits = frame.digits;
+    for (std::size_t i = 0; i < count; ++i) {
+      one.frame_digits = m_frames[i].digits;
       core::FileType type = one.type;
       PictureJournal::forget(parser::output_path(one, type));
     }
@@ -123,8 +119,9 @@ class Loop {
 
   Next frame_with_commands(Commands& commands, std::size_t i) {
     RenderOptions one = m_options;
-    one.frame_digits = m_frames.list[i].digits;
-    const CommandContext context = command_context(one, m_frames.list[i].clock);
+    const parser::AnimationFrame frame = m_frames[i];
+    one.frame_digits = frame.digits;
+    const CommandContext context = command_context(one, frame.clock);
     const Action first = commands.run(CommandKind::kPreFrame, context);
     if (first != Action::kGoOn) return next_after(first, Next::kFrame);
     if (make(i) == kAborted) return Next::kAbort;
@@ -136,12 +133,13 @@ class Loop {
     if (first == Action::kQuit || first == Action::kSkipAll) return kDone;
     if (first == Action::kAbort) return kAborted;
     Next next = first == Action::kSkip ? Next::kEndOfScene : Next::kFrame;
-    for (std::size_t i = 0; i < m_frames.list.size() && next == Next::kFrame; ++i) {
+    std::size_t i = 0;
+    for (; i < m_frames.size() && next == Next::kFrame; ++i) {
       next = frame_with_commands(commands, i);
     }
     if (next == Next::kQuit) return kDone;
     if (next == Next::kAbort) return kAborted;
-    forget_frames();
+    forget_frames(i);
     return commands.run(CommandKind::kPostScene, scene) == Action::kAbort ? kAborted : kDone;
   }
 
@@ -150,7 +148,8 @@ class Loop {
   const std::atomic<bool>& m_cancel;
   MessageForm& m_form;
   Warnings& m_warnings;
-  const Frames m_frames;
+  const parser::AnimationFrames m_frames;
+  const bool m_is_animation;
   std::shared_ptr<SceneInUse> m_kept;
   bool m_has_ini = false;
 };

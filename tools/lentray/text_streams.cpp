@@ -11,6 +11,7 @@
 #include "core/image/file_swap.h"
 #include "core/image/run_files.h"
 #include "core/image/writer.h"
+#include "core/image/written_bytes.h"
 #include "parser/base/shown.h"
 
 namespace lentray::tool {
@@ -124,7 +125,9 @@ void TextStreams::write(parser::Stream stream, std::string_view text) {
 
 void TextStreams::log(parser::Stream stream, std::string_view text) {
   for (const File* file : {m_files[static_cast<std::size_t>(stream)], m_all}) {
-    if (file) put(text, file->file.get());
+    if (!file || !m_limit.empty()) continue;
+    m_limit = core::count_written(text.size());
+    if (m_limit.empty()) put(text, file->file.get());
   }
 }
 
@@ -132,9 +135,9 @@ std::string TextStreams::trouble() const {
   const auto bad = std::ranges::find_if(m_opened, [](const File& one) {
     return one.file && (std::fflush(one.file.get()) != 0 || std::ferror(one.file.get()) != 0);
   });
-  return bad == m_opened.end()
-             ? ""
-             : "cannot write the text file '" + bad->name + "': no space, or the disk failed";
+  if (bad != m_opened.end())
+    return "cannot write the text file '" + bad->name + "': no space, or the disk failed";
+  return m_limit.empty() ? "" : "text files lack what was said last: " + m_limit;
 }
 
 }  // namespace lentray::tool

@@ -52,6 +52,7 @@ class TextStreams {
   File* m_all = nullptr;
   std::list<File> m_opened;
   std::mutex m_keeping;
+  std::string m_limit;  ///< why files do not get more; empty: they do
 };
 
 }  // namespace lentray::tool

@@ -11,6 +11,7 @@
 #include <stdexcept>
 
 #include "core/base/byte_text.h"
+#include "core/image/written_bytes.h"
 #include "parser/options/options.h"
 #include "tools/common/companion.h"
 #include "tools/common/process.h"
@@ -63,7 +64,13 @@ void PassFile::forget(const std::string& picture) {
 
 void PassFile::go_on() {
   m_is_whole = read(m_path, false);
-  if (!m_is_whole) read(m_part, true);
+  if (m_is_whole) return;
+  // One that lost its end, or has more behind it, is a part: what it holds is in order.
+  struct stat about {};
+  if (!m_earlier.empty() && ::lstat(m_part.c_str(), &about) != 0)
+    (void)std::rename(m_path.c_str(), m_part.c_str());
+  m_earlier.clear();
+  read(m_part, true);
 }
 
 bool PassFile::read(const std::string& path, bool is_part) {
@@ -149,6 +156,7 @@ void PassFile::give_up(const std::string& why) {
 
 void PassFile::flush() {
   if (m_pending.empty() || m_is_off || (m_file < 0 && Clock::now() < m_speaks)) return;
+  if (const std::string why = core::count_kept(m_pending.size()); !why.empty()) return give_up(why);
   if (m_file < 0) {
     m_file = ::open(m_part.c_str(), O_RDWR | O_CREAT | O_CLOEXEC | O_NOFOLLOW | O_NONBLOCK, 0666);
     if (const std::string why = take_file(m_file, m_part); !why.empty()) return give_up(why);

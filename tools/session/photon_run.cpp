@@ -7,6 +7,7 @@
 
 #include "core/image/file_swap.h"
 #include "core/image/writer.h"
+#include "core/image/written_bytes.h"
 #include "core/photon/photon_file.h"
 #include "core/photon/photon_map.h"
 #include "core/scene/scene.h"
@@ -34,6 +35,8 @@ std::string PhotonRun::save() const {
   }
   try {
     core::FileSwap swap(name);
+    if (const std::string why = core::count_written(bytes()); !why.empty())
+      throw core::ImageError("cannot write " + core::shown_place(name) + ": " + why);
     std::ofstream out(swap.temporary(), std::ios::binary);
     core::write_photon_file(out, light.surface.tree().photons(), light.media.tree().photons());
     out.close();
@@ -72,6 +75,11 @@ std::string PhotonRun::text() const {
   if (!light.surface.is_empty()) line("  radius, surfaces", light.surface.radius());
   if (!light.media.is_empty()) line("  radius, media", light.media.radius());
   return out.str();
+}
+
+std::uint64_t PhotonRun::bytes() const {
+  const core::PhotonLight& light = *m_light.photons;
+  return (light.surface.tree().size() + light.media.tree().size()) * sizeof(core::Photon);
 }
 
 nlohmann::json PhotonRun::json() const {

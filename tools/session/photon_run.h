@@ -1,6 +1,7 @@
 // Photons of a scene's pictures: shot before the first of them or loaded, and what is told of them. One map serves all pictures of a session. One thread.
 #pragma once
 
+#include <cstdint>
 #include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <string>
@@ -26,6 +27,8 @@ class PhotonRun {
   /// How many there are, as a table.
   std::string text() const;
   nlohmann::json json() const;
+  /// Of the photons that are kept.
+  std::uint64_t bytes() const;
 
  private:
   const core::Scene& m_scene;

@@ -10,6 +10,7 @@
 #include <cstring>
 #include <stdexcept>
 
+#include "core/image/written_bytes.h"
 #include "parser/files/watched_files.h"
 #include "parser/options/options.h"
 #include "tools/session/summed_bytes.h"
@@ -241,6 +242,7 @@ void PictureJournal::give_up(const std::string& why) {
 
 /// All of it, or nothing.
 void PictureJournal::write(const std::string& bytes) {
+  if (const std::string why = core::count_kept(bytes.size()); !why.empty()) return give_up(why);
   std::size_t done = 0;
   while (done < bytes.size()) {
     const ssize_t wrote = ::pwrite(m_file, bytes.data() + done, bytes.size() - done,

@@ -12,6 +12,8 @@ parser::ParserOptions parser_options(const RenderOptions& o, const parser::Frame
   out.library_paths = o.library_paths;
   out.declares = o.declares;
   out.include_header = o.include_header;
+  if (const auto said = o.said.find("Include_Header"); said != o.said.end())
+    out.header_place = said->second.where;
   out.frame = clock;
   out.image_width = static_cast<int>(o.width);
   out.image_height = static_cast<int>(o.height);
@@ -122,7 +124,7 @@ bool is_first_view(const RenderOptions& o) {
   if (o.animation.views.count == 0 || o.frame_digits.empty()) return true;
   parser::AnimationOptions first = o.animation;
   first.step = static_cast<int>(first.views.count);  // one of them is enough to know
-  const std::vector<parser::AnimationFrame> frames = parser::frames_of(first);
+  const parser::AnimationFrames frames = parser::frames_of(first);
   return !frames.empty() && frames.front().digits == o.frame_digits;
 }
 

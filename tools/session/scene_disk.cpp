@@ -2,6 +2,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "parser/files/counted_files.h"
 #include "parser/files/memory_writes.h"
 #include "parser/restrictions/restricted_files.h"
 #include "parser/restrictions/run_rules.h"
@@ -17,6 +18,10 @@ SceneDisk::SceneDisk(const parser::RenderOptions& options, const std::string& sc
   if (options.parse_only || options.dump || !options.writes_to_disk) {
     m_memory = std::make_unique<parser::MemoryWrites>(*m_files);
     m_files = m_memory.get();
+  }
+  if (options.max_files > 0) {
+    m_counted = std::make_unique<parser::CountedFiles>(*m_files, options.max_files);
+    m_files = m_counted.get();
   }
   m_watched.emplace(*m_files);
 }

@@ -1,6 +1,6 @@
 // The disk as a run's scene sees it: all of it, or what the rules of Restrict_IO permit; and for
-// runs that render nothing and leave nothing behind, with what the scene writes kept in memory. One
-// thread.
+// runs that render nothing and leave nothing behind, with what the scene writes kept in memory. No more files than
+// Max_Files. One thread.
 #pragma once
 
 #include <map>
@@ -31,7 +31,7 @@ class SceneDisk {
  private:
   const std::string m_scene;
   std::vector<std::string> m_warnings;
-  std::unique_ptr<parser::Files> m_restricted, m_memory;
+  std::unique_ptr<parser::Files> m_restricted, m_memory, m_counted;
   parser::Files* m_files;
   std::optional<parser::WatchedFiles> m_watched;
 };

@@ -108,10 +108,11 @@ void Session::read() {
   core::SceneParts parts = parser::build_scene(description, diagnostics, build, &m_built);
   reduce(parts, m_reading.build.quality);
   stop_if_asked();
-  const std::uint64_t pictures = parts.picture_bytes;
+  const std::uint64_t pictures = parts.picture_bytes, textures = m_built.texture_bytes;
   const std::uint64_t built = core::heap_bytes_since(held_before);
   m_memory.push_back({"pictures", pictures});
-  m_memory.push_back({"objects", built - std::min(built, pictures)});
+  m_memory.push_back({"textures", textures});
+  m_memory.push_back({"objects", built - std::min(built, pictures + textures)});
   core::begin_stage("its hierarchy was built");
   m_scene = std::make_unique<core::Scene>(std::move(parts), m_reading.compile);
   m_memory.push_back({"hierarchy", m_scene->hierarchy().memory()});
@@ -204,6 +205,9 @@ Plan Session::plan(const CameraSetup& camera, const FilmSettings& film) {
   report.shadow_cache = film.shadow_cache;
   report.memory = m_memory;
   report.memory.push_back({"light_buffers", light_buffer_bytes(*m_scene)});
+  const double film_bytes =
+      core::bytes_a_band_row(film.antialiasing, width) * std::min(report.band_height, height);
+  report.memory.push_back({"film", static_cast<std::uint64_t>(film_bytes)});
   report.parse_cpu_s = std::exchange(m_read_cpu_s, 0.0);
   report.compile_cpu_s = std::exchange(m_build_cpu_s, 0.0);
   return plan;
@@ -278,6 +282,8 @@ shadow::RunReport Session::render(const Plan& plan, const Outlets& outlets) {
     return report;
   }
   report.passes = passes.reports();
+  if (m_photons) report.memory.push_back({"photons", m_photons->bytes()});
+  if (m_light.irradiance) report.memory.push_back({"radiosity", m_light.irradiance->bytes()});
   if (outlets.radiosity && gathers) m_radiosity->keep(*outlets.radiosity);
   const double before = cpu_seconds();
   report.counters = core::render_frame(*m_scene, camera, plan.shape, *orders, *asked, frame,

@@ -17,10 +17,10 @@ bool CheckedFile::done(Work work) const {
   }
 }
 
-CheckedFile::CheckedFile(const std::filesystem::path& path, SpareRoom* spare)
+CheckedFile::CheckedFile(const std::filesystem::path& path, SpareRoom* spare, CountBytes count)
     : IOProxy(path.string(), Write) {
   try {
-    m_file.emplace(path, spare);
+    m_file.emplace(path, spare, count);
   } catch (const std::exception& error) {
     m_complaint = error.what();
   }

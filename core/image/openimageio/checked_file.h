@@ -15,7 +15,7 @@ namespace lentray::core {
 class CheckedFile final : public OIIO::Filesystem::IOProxy {
  public:
   /// Empties the file; failing to open it is a complaint, too.
-  CheckedFile(const std::filesystem::path& path, SpareRoom* spare);
+  CheckedFile(const std::filesystem::path& path, SpareRoom* spare, CountBytes count);
   ~CheckedFile() override;
 
   /// The system's word for the first failure, or empty. Final after close().

@@ -88,7 +88,8 @@ OIIO::ImageSpec spec_of(const PictureSpec& picture) {
 class Encoder final : public PictureEncoder {
  public:
   Encoder(const std::filesystem::path& path, const PictureSpec& picture)
-      : m_file(path, picture.spare), m_spec(spec_of(picture)), m_samples(sample_type(picture)) {
+      : m_file(path, picture.spare, picture.count), m_spec(spec_of(picture)),
+        m_samples(sample_type(picture)) {
     m_output = OIIO::ImageOutput::create(plugin_name(picture.type));
     if (!m_output) throw std::runtime_error(OIIO::geterror());
     m_output->set_ioproxy(&m_file);

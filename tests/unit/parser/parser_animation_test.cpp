@@ -11,7 +11,7 @@ namespace {
 /// "frame:clock ..." of six digits, then the first frame's digits.
 std::string listed(const AnimationOptions& options) {
   std::string out;
-  const std::vector<AnimationFrame> frames = frames_of(options);
+  const AnimationFrames frames = frames_of(options);
   for (const AnimationFrame& frame : frames) {
     char text[64];
     std::snprintf(text, sizeof text, "%d:%g ", frame.clock.frame_number, frame.clock.clock);
@@ -27,6 +27,16 @@ TEST(UnitParserAnimation, WhenTheLoopRuns) {
   EXPECT_TRUE(is_animation({.final_frame = 1}));
   EXPECT_TRUE(is_animation({.initial_frame = 5}));
   EXPECT_TRUE(is_animation({.initial_frame = 0, .final_frame = 3}));
+}
+
+/// Each is made when it is asked for.
+TEST(UnitParserAnimation, TwoThousandMillionFramesTakeNoRoom) {
+  const AnimationFrames frames = frames_of({.final_frame = 2'000'000'000});
+  EXPECT_EQ(frames.size(), 2'000'000'000u);
+  EXPECT_EQ(frames.front().digits, "0000000001");
+  EXPECT_EQ(frames[1'999'999'999].clock.frame_number, 2'000'000'000);
+  EXPECT_EQ(frames[1'999'999'999].clock.clock, 1.0);
+  EXPECT_EQ(frames_of({.final_frame = 2'000'000'000, .step = 1'500'000'000}).size(), 2u);
 }
 
 TEST(UnitParserAnimation, ClocksOfFrames) {

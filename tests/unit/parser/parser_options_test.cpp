@@ -506,6 +506,16 @@ TEST_F(ErrorParserOptions, MemoryWithoutSense) {
   expect_message({"Max_Memory=2Q"}, "unknown unit 'Q': there are K, M, G and T");
   expect_message({"Max_Memory=much"}, "a number is expected");
   expect_message({"Max_Memory=-2G"}, "a number greater than 0 is expected");
+  EXPECT_EQ(read({}).max_written, 0.0);
+  EXPECT_EQ(read({"Max_Written=2G"}).max_written, 2147483648.0);
+  expect_message({"Max_Written=512"}, "less than 1 MB; a unit may stand behind the number");
+  EXPECT_EQ(read({}).max_pixels, 0.0);
+  EXPECT_EQ(read({"Max_Pixels=1.5M"}).max_pixels, 1.5e6);
+  EXPECT_EQ(read({"Max_Pixels=100"}).max_pixels, 100.0);
+  expect_message({"Max_Pixels=2Q"}, "unknown unit 'Q': there are K, M, G and T");
+  EXPECT_EQ(read({}).max_files, 0u);
+  EXPECT_EQ(read({"Max_Files=20"}).max_files, 20u);
+  expect_message({"Max_Files=0"}, "Max_Files=0");
   expect_message({"Band_Height=0"}, "a whole number from 1 to 2147483647");
 }
 

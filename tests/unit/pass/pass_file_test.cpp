@@ -119,6 +119,40 @@ TEST_F(UnitPassFile, WhatIsHalfWrittenIsDropped) {
   EXPECT_EQ(earlier(identity), (std::vector<std::vector<std::string>>{{"one"}, {}}));
 }
 
+/// A finished file that lost its end, or has more behind it, is gone on with as a part: records of both runs are kept
+/// in one file.
+TEST_F(UnitPassFile, AFinishedFileThatIsNotWholeIsAPart) {
+  for (const int change : {-1, -5, 3}) {
+    write_some();
+    fs::rename(part(), whole());
+    if (change < 0)
+      fs::resize_file(whole(), fs::file_size(whole()) - static_cast<std::uintmax_t>(-change));
+    else
+      std::ofstream(whole(), std::ios::binary | std::ios::app) << "abc";
+    auto expected = kept;
+    if (change < 0) expected[1].pop_back();
+    EXPECT_EQ(earlier(identity), expected) << change;
+    {
+      PassFile file(picture(), identity, kAtOnce);
+      file.go_on();
+      file.begin(1);
+      for (std::string record; file.recall(record);) {
+      }
+      file.keep("three");
+    }
+    expected[1].emplace_back("three");
+    EXPECT_EQ(earlier(identity), expected) << change;
+    PassFile::forget(picture());
+    EXPECT_TRUE(fs::is_empty(folder)) << change;
+  }
+}
+
+TEST_F(UnitPassFile, AFileThatIsNoneIsLeft) {
+  std::ofstream(whole()) << "a text";
+  EXPECT_EQ(earlier(identity), (std::vector<std::vector<std::string>>(2)));
+  EXPECT_TRUE(fs::exists(whole()));
+}
+
 TEST_F(UnitPassFile, AnotherScenesFileIsRefused) {
   write_some();
   Identity other = identity;
@@ -182,6 +216,22 @@ class Sums final : public core::Pass {
   std::atomic<bool>& m_cancel;
   const std::size_t m_cut;
 };
+
+/// A record that came back whole, but is no row of the pass's numbers.
+TEST_F(UnitPassFile, RecordsOfAnotherKindAreRefused) {
+  {
+    PassFile file(picture(), identity, kAtOnce);
+    file.begin(0);
+    file.keep(std::string(3 * sizeof(double) + 1, 'x'));
+  }
+  std::atomic<bool> never{false};
+  Sums pass(never, 1000);
+  core::PassList passes;
+  passes.add(pass);
+  PassFile file(picture(), identity, kAtOnce);
+  file.go_on();
+  EXPECT_THROW(passes.run({.threads = 1, .ledger = &file}), core::DamagedRecord);
+}
 
 TEST_F(UnitPassFile, KilledPassesGoOn) {
   std::atomic<bool> never{false};

@@ -228,7 +228,7 @@ TEST(UnitPass, ReportsHaveTheNumbersInOrder) {
   EXPECT_GE(list.reports()[1].wall_s, 0.0);
 }
 
-struct Said final : Progress {
+struct SaidProgress final : Progress {
   void advance(double fraction_done, double seconds_left) override {
     fractions.push_back(fraction_done);
     left.push_back(seconds_left);
@@ -247,7 +247,7 @@ TEST(UnitPass, ProgressIsOfPassesAndFilmTogether) {
   PassList list;
   list.add(first);
   list.add(second);
-  Said said;
+  SaidProgress said;
   ASSERT_TRUE(list.run({.progress = &said, .film_work = 50.0}));
   ASSERT_GE(said.fractions.size(), 1u);  // of the second pass: the first second is silent
   EXPECT_LE(said.fractions.size(), 3u);
@@ -265,7 +265,7 @@ TEST(UnitPass, ProgressIsOfPassesAndFilmTogether) {
 
 TEST(UnitPass, WithoutPassesTheFilmSpeaksForItself) {
   PassList list;
-  Said said;
+  SaidProgress said;
   ASSERT_TRUE(list.run({.progress = &said, .film_work = 50.0}));
   EXPECT_EQ(list.film_progress(), &said);
   ASSERT_TRUE(list.run({}));
