@@ -39,25 +39,20 @@ def outputs():
                           {"strangers/a.pov": SAYS}, swaps=swaps)
 
 
+SHEET = ["a.pov", "+W8", "+H6", "Lenticular=On", "Lens_Pixels=2", ON]
+
+
 def other_outputs():
     """Names that programs choose themselves, in a folder that came from a stranger."""
-    sheet = {"before": make_sheet}
     for program, words, name in (
             ("lentray-diff", ["a.pov", "+W8", "+H6", ON], "a-diff-ours.png"), ("lentray-diff", ["a.pov", "+W8", "+H6", ON], "a-diff-heat.png"),
             ("lentray-diff", ["a.pov", "+W8", "+H6", ON], "a-diff-stock.png"), ("lentray-diff", ["a.pov", "+W8", "+H6", ON], "a-diff-side.png"),
-            ("lentray-diff", ["a.pov", "+W8", "+H6", ON, "--keep", "k", "--no-pictures"], "k/view0.pov"),
-            ("lentray-diff", ["a.pov", "+W8", "+H6", ON, "--write-wrappers", "k"], "k/mesh.pov"),
-            ("lentray-views", ["s.png", "--all", "--out", "v#.png"], "v00.png"), ("lentray-views", ["s.png", "--all", "--out", "v.png"], "v00.png"),
-            ("lentray-model", ["--figures", "11"], "figure-11.png"), ("lentray-model", ["--figures", "11", "--folder", "k"], "k/figure-11.png")):
+            ("lentray-diff", [*SHEET, "--keep", "k", "--no-pictures"], "k/view0.pov"),
+            ("lentray-diff", [*SHEET, "--write-wrappers", "k"], "k/view0.pov"),
+            ("lentray-diff", ["a.pov", "+W8", "+H6", ON, "--no-pictures", "--json", "j.json"], "j.json")):
         for link in (Link("ROOT/victim/rc"), Hard("victim/rc"), Link("ROOT/victim/made")):
             yield Attempt("links at outputs", f"{name} of {' '.join(words)}", program, words, {f"strangers/{name}": link},
-                          are_reads_told=not isinstance(link, Hard), **(sheet if "s.png" in words else {}))
-
-
-def make_sheet(ground):
-    one = Attempt("", "", "lentray", ["+Ia.pov", "+W40", "+H20", "-V", "Lenticular=On", "Lens_Pixels=10", "+Os.png"])
-    status, said = ground.run(one)
-    assert status == 0, said
+                          are_reads_told=not isinstance(link, Hard))
 
 
 BATCH = ["../strangers", "--out", "../strangers/out", "+W8", "+H6", "--quiet", "--retry"]
