@@ -45,7 +45,7 @@ class World(Folders):
     def attacked(self, *words, program="lentray", cwd="work"):
         terminal, end = pty.openpty()
         done = subprocess.run([self.bin / program, *words], cwd=self.root / cwd, stdin=end, capture_output=True, text=True, timeout=120,
-                              start_new_session=True, env=dict(os.environ, HOME=str(self.root / "home"), POVINI="", LD_PRELOAD=str(self.library),
+                              start_new_session=True, env=dict(os.environ, HOME=str(self.root / "home"), TMPDIR=str(self.root / "work"), POVINI="", LD_PRELOAD=str(self.library),
                                        OUTSIDE=str(self.root / "outside")))
         os.close(terminal)
         os.close(end)
