@@ -46,6 +46,9 @@ bool has_own_name(const fs::path& place, const fs::path& folder) {
                      [](const fs::path& part) { return is_own_name(part.string()); });
 }
 
+/// Of a file that stands for all of a folder.
+constexpr const char* kAnyName = "x";
+
 constexpr const char* kOwnNames =
     "a scene does not write what later runs obey: INI files, povray.conf, journals, radiosity, "
     "manifests, names that begin with a dot";
@@ -122,10 +125,12 @@ std::string FileRules::against_writing(const fs::path& place) const {
 
 std::vector<fs::path> FileRules::readable() const {
   std::vector<fs::path> out = m_reading;
+  if (conf_permits(fs::path("/") / kAnyName, false)) out.emplace_back("/");
   out.insert(out.end(), m_installed.begin(), m_installed.end());
   for (const PovrayConf& conf : m_confs) {
-    if (conf.files == PovrayConf::FileSecurity::kReadOnly) out.emplace_back("/");
-    for (const PermittedPath& path : conf.permitted) out.emplace_back(path.folder);
+    for (const PermittedPath& path : conf.permitted) {
+      if (conf_permits(fs::path(path.folder) / kAnyName, false)) out.emplace_back(path.folder);
+    }
   }
   return out;
 }
@@ -134,7 +139,7 @@ std::vector<fs::path> FileRules::writable() const {
   std::vector<fs::path> out = m_writing;
   for (const PovrayConf& conf : m_confs) {
     for (const PermittedPath& path : conf.permitted) {
-      if (path.writing) out.emplace_back(path.folder);
+      if (conf_permits(fs::path(path.folder) / kAnyName, true)) out.emplace_back(path.folder);
     }
   }
   return out;

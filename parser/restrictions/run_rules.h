@@ -18,8 +18,12 @@ FileRules run_rules(const RenderOptions& options, const std::string& scene,
 /// Names of all files that the user's own words have the run write; of a frame those of its own. Empty ones: none.
 std::vector<std::string> outputs_of(const RenderOptions& options);
 
+/// Throws OptionError if a name of an output leads out of the current folder through a link in it.
+void judge_output(const std::string& name);
+
 /// With Restrict_IO=On: throws OptionError if an output leads out of the current folder through a link in it, or a
-/// picture out of the folder that the user named: the link may have come with the scene.
+/// picture out of the folder that the user named: the link may have come with the scene. Text files there, which are
+/// written in place, have no hard links either.
 void judge_outputs(const RenderOptions& options);
 
 }  // namespace lentray::parser

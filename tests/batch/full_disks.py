@@ -1,8 +1,11 @@
 """Disks that are nearly full: what finds room without a journal is finished with one, alone and in batches.
 
-  tests/batch/full_disks.py [--all] [--bin build/release/bin]
+  tests/batch/full_disks.py [--all] [--sizes 3] [--bin build/release/bin]
+  tests/batch/full_disks.py --only-sizes --sizes 20
 
-With --all every type of file and more numbers of jobs, otherwise some.
+With --all every type of file and more numbers of jobs, otherwise some. --sizes: so many sizes of disks from 0.5 to 10 MB, each
+with a still, a sheet and batches. What a run without a journal would finish there is finished, and the rest by the
+same command once there is room. Inputs stay as they are.
 
 Needs the right to mount a tmpfs. Sizes follow from files that were written before, and nothing depends on time: where a
 machine is so quick that a run has no journal, less is tested.
@@ -31,8 +34,13 @@ FEW_TYPES = ("png", "hdr", "tif")  # packed by the program, plain, and by OpenIm
 BLOCK = 4096
 
 
+SCENES_WRITTEN = set()
+
+
 def scene(lamps, shift=0.0):
-    return SCENE.replace("LAMPS", str(lamps)).replace("SHIFT", str(shift))
+    text = SCENE.replace("LAMPS", str(lamps)).replace("SHIFT", str(shift))
+    SCENES_WRITTEN.add(text)
+    return text
 
 
 class Disk:
@@ -207,6 +215,67 @@ def errors_are_not_tried_again(check, run):
     check(len(tools.calls(log)) == 1, f"a broken scene is tried again: {tools.calls(log)}")
 
 
+def pictures_on_many_sizes(check, run, sizes):
+    """A still and a sheet of about a megabyte, with journals of four. What fits is finished; with room +C finishes the rest."""
+    for kind, words in (("still", []), ("sheet", ["Lenticular=On", "Lens_Pixels=8"])):
+        options = ["+W480", "+H360", "+FN16", *words]
+        plain = run.folder / f"{kind}.png"
+        check(run("large.pov", plain, *options).returncode == 0, kind)
+        fitting = 0
+        for size in sizes:
+            with Disk(run.folder / "disk", size) as disk:
+                what, tight = f"a {kind} on {size} bytes", disk.place / "a.png"
+                done = run("large.pov", tight, *options)
+                if size >= blocks(plain) + 4 * BLOCK:
+                    fitting += 1
+                    check(done.returncode == 0 and same_file(tight, plain), f"{what}: {done.returncode} {done.stderr}")
+                elif done.returncode == 0:
+                    check(same_file(tight, plain), f"{what}: another file")
+                else:
+                    check(done.returncode == 1 and "No space left" in done.stderr and not tight.exists(),
+                          f"{what}: {done.returncode} {done.stderr}")
+                disk.grow("40m")
+                done = run("large.pov", tight, *options, "+C")
+                check(done.returncode == 0 and same_file(tight, plain), f"{what}, and then room: {done.stderr}")
+                check(list(disk.place.iterdir()) == [tight], f"{what}: left behind: {list(disk.place.iterdir())}")
+        print(f"{kind}s: {len(sizes)} disks, of which {fitting} have room for the picture of {blocks(plain)} bytes", flush=True)
+
+
+def batches_on_many_sizes(check, run, sizes, numbers_of_jobs):
+    """As many pictures as have room beside a batch's own files; with room the same command makes the rest."""
+    scenes, count = run.folder / "five", 5
+    scenes.mkdir()
+    size_of_one = 0
+    for i in range(count):
+        (scenes / f"t{i}.pov").write_text(scene(5, i * 0.1))
+        check(run(scenes / f"t{i}.pov", run.folder / f"five{i}.png", "+W240", "+H180", "+FN16").returncode == 0, f"five {i}")
+        size_of_one = max(size_of_one, blocks(run.folder / f"five{i}.png"))
+    own = 600_000  # the page, small pictures, rows, what programs said
+    told = []
+    for size in sizes:
+        for jobs in numbers_of_jobs:
+            with Disk(run.folder / "disk", size) as disk:
+                out = disk.place / "out"
+                arguments = [scenes, "--out", out, "--jobs", jobs, "--quiet", "+W240", "+H180", "+FN16"]
+                done = tools.run(run.binaries, *arguments)
+                what = f"a batch on {size} bytes, --jobs {jobs}"
+                made = [p for p in out.glob("t*.png") if same_file(p, run.folder / f"five{p.stem[1:]}.png")]
+                fitting = max(0, min(count, (size - own) // size_of_one))
+                check(len(made) >= fitting, f"{what}: {len(made)} of {fitting} pictures: {done.stderr[-300:]}")
+                told.append(f"{len(made)}/{fitting}")
+                disk.grow("60m")
+                again = tools.run(run.binaries, *arguments)
+                check(again.returncode == 0, f"{what}, and then room: {again.returncode} {again.stderr[-300:]}")
+                made = [p for p in out.glob("t*.png") if same_file(p, run.folder / f"five{p.stem[1:]}.png")]
+                check(len(made) == count, f"{what}, and then room: {len(made)} pictures")
+    print(f"batches: {len(told)} disks; pictures made of those that fit: {' '.join(told)}", flush=True)
+
+
+def many_sizes(count):
+    """Bytes from 0.5 to 10 MB, whole blocks."""
+    return [round(5e5 * 20 ** (i / max(1, count - 1)) / BLOCK) * BLOCK for i in range(count)]
+
+
 def page_without_room(check, run):
     """Its message says why."""
     scenes = run.folder / "one"
@@ -231,23 +300,34 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("--bin", type=pathlib.Path, default=tools.BIN)
     parser.add_argument("--all", action="store_true", help="every type of file, and more numbers of jobs")
+    parser.add_argument("--sizes", type=int, default=3, help="disks from 0.5 to 10 MB")
+    parser.add_argument("--only-sizes", action="store_true")
     arguments = parser.parse_args()
     binaries = arguments.bin.resolve()
     check = tools.Checks()
     with tempfile.TemporaryDirectory() as temporary:
         folder = pathlib.Path(temporary)
         (folder / "slow.pov").write_text(scene(24 if arguments.all else 18))
+        (folder / "large.pov").write_text(scene(6))
         run = Run(folder, binaries)
-        limited_files(check, run)
-        journals_that_cannot_be(check, run)
-        errors_are_not_tried_again(check, run)
-        if can_mount(folder):
+        if not arguments.only_sizes:
+            limited_files(check, run)
+            journals_that_cannot_be(check, run)
+            errors_are_not_tried_again(check, run)
+        mounts = can_mount(folder)
+        if mounts:
+            sizes = many_sizes(arguments.sizes)
+            pictures_on_many_sizes(check, run, sizes)
+            batches_on_many_sizes(check, run, sizes, (1, 2) if arguments.all else (2,))
+        if mounts and not arguments.only_sizes:
             kinds_of_files(check, run, TYPES if arguments.all else FEW_TYPES)
             too_small(check, run)
             full_journal(check, run)
             batches(check, run, (1, 2, 5) if arguments.all else (2,))
             page_without_room(check, run)
+        if mounts:
             print(f"{run.given_up} journals were given up")
+            check(all(p.read_text() in SCENES_WRITTEN for p in folder.rglob("*.pov") if p.name != "broken.pov"), "an input has changed")
         else:
             print("left out: disks, which need the right to mount one")
     check.end()

@@ -39,6 +39,7 @@ def main():
         check(whole.returncode == 0, f"the batch without kills: {whole.stderr[-300:]}")
         log.unlink()
 
+        scenes = {path: path.read_bytes() for path in (folder / "scenes").iterdir()}
         out = folder / "killed"
         kills = repeated = kills_before = 0
         while kills < given.kills:
@@ -67,6 +68,7 @@ def main():
         most = given.scenes + (given.kills - kills_before) * (os.cpu_count() or 1)
         check(len(calls) <= most, f"{len(calls)} runs of lentray for {given.scenes} scenes and {given.kills} kills")
         check(all(row["state"] == "done" for row in tools.rows(out).values()), "a row is not done")
+        check(scenes == {path: path.read_bytes() for path in (folder / "scenes").iterdir()}, "the scenes have changed")
         left = [p.name for p in out.rglob("*") if p.name.endswith((".part", ".lentray-state"))]
         check(not left, f"left behind: {left}")
         print(f"{given.kills} kills, {given.scenes} scenes in {seconds:.1f} s without kills: {len(calls)} runs of lentray")

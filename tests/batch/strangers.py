@@ -267,6 +267,58 @@ def links_of_outputs(place, binaries):
             expect(status == 0 and (world.root / "strangers" / name).exists(), "the user's own name", name, status, said)
 
 
+def hard_links(place, binaries):
+    """Files that are written in place have no second name outside, and links to nothing make no file there."""
+    for words, name, link in ((["Debug_File=t"], "t", True), (["All_File=t"], "t", True), (["Append_File=On", "Debug_File=t"], "t", True),
+                              (["Debug_File=t"], "t", False), (["All_File=t"], "t", False), (["Statistics_File=t"], "t", False)):
+        with tempfile.TemporaryDirectory(dir=place) as root:
+            world = World(root, binaries)
+            world.put("", SCENE + '#debug "alias ls=evil\n"
+')
+            at = world.root / "strangers" / name
+            os.link(world.root / "victim/rc", at) if link else at.symlink_to(world.root / "victim/made")
+            status, said = world.run("lentray", "Restrict_IO=On", "+Ia.pov", "+W8", "+H6", "-V", *words, cwd="strangers")
+            expect(status == 1 and "may have come with the scene" in said, words, link, status, said)
+            expect(world.outside() == world.before, words, link, "changed")
+    for name in ("manifest.jsonl", ".lentray-batch/reserve", ".lentray-batch/runs/x"):
+        with tempfile.TemporaryDirectory(dir=place) as root:
+            world = World(root, binaries)
+            world.put("")
+            link = world.root / "strangers/out" / name
+            link.parent.mkdir(parents=True)
+            os.link(world.root / "victim/rc", link)
+            status, said = world.run("lentray-batch", "../strangers", "--out", "../strangers/out", "+W8", "+H6", "--quiet")
+            expect(status == 2 and "holds a hard link" in said, name, status, said)
+            expect(world.outside() == world.before, name, "changed")
+    # A picture of an earlier run may have one: it is replaced, and its other name keeps what it had.
+    with tempfile.TemporaryDirectory(dir=place) as root:
+        world = World(root, binaries)
+        world.put("")
+        (world.root / "strangers/out").mkdir()
+        os.link(world.root / "victim/rc", world.root / "strangers/out/a.png")
+        status, said = world.run("lentray-batch", "../strangers", "--out", "../strangers/out", "+W8", "+H6", "--quiet")
+        expect(status == 0 and world.outside() == world.before, "a picture with a second name", status, said)
+
+
+def other_programs(place, binaries):
+    """Names that lentray-diff and lentray-chart choose themselves."""
+    chart = ("lentray-chart", ["a.pov", "--out", "out", "--quick", "--no-stock", "--only", "quality", "--repeats", "1"])
+    diff = ("lentray-diff", ["a.pov", "--stock-alone"])
+    for (program, words), name in ((diff, "a-diff-ours.png"), (diff, "a-diff-stock.png"), (chart, "out/chart.csv"),
+                                   (chart, "out/pictures/own.png"), (chart, "out/.lentray-chart/log")):
+        with tempfile.TemporaryDirectory(dir=place) as root:
+            world = World(root, binaries)
+            world.put("")
+            link = world.root / "strangers" / name
+            link.parent.mkdir(parents=True, exist_ok=True)
+            link.symlink_to(world.root / "victim/rc")
+            if not (world.bin / program).exists():
+                continue
+            status, said = world.run(program, *words, "+W8", "+H6", "Restrict_IO=On", cwd="strangers")
+            expect(status != 0 and "may have come with the scene" in said, program, name, status, said)
+            expect(world.outside() == world.before, program, name, "changed")
+
+
 def rows_of_strangers(place, binaries):
     """A manifest that came with the scenes gives no picture a place elsewhere."""
     with tempfile.TemporaryDirectory(dir=place) as root:
@@ -336,6 +388,8 @@ def main():
         sticky(place, binaries)
         links_of_folders(place, binaries)
         links_of_outputs(place, binaries)
+        hard_links(place, binaries)
+        other_programs(place, binaries)
         rows_of_strangers(place, binaries)
         tasks_of_strangers(place, binaries)
         photons(place, binaries)

@@ -9,13 +9,18 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/ioctl.h>
 #include <sys/mman.h>
+#include <sys/msg.h>
 #include <sys/ptrace.h>
+#include <sys/shm.h>
 #include <sys/socket.h>
 #include <sys/stat.h>
 #include <sys/syscall.h>
+#include <sys/uio.h>
 #include <sys/un.h>
 #include <sys/wait.h>
+#include <sys/xattr.h>
 #include <unistd.h>
 
 static char in_outside[4096];
@@ -24,7 +29,9 @@ static const char* outside(const char* name) {
   return in_outside;
 }
 
+static int tried;
 static void tell(const char* what, int is_done) {
+  ++tried;
   if (is_done) dprintf(2, "ESCAPED %s\n", what);
 }
 
@@ -85,6 +92,20 @@ static void write_outside(void) {
   tell("owner", chown(outside("text"), 1, 1) == 0);
   tell("pipe", mkfifo(outside("pipe"), 0666) == 0);
   tell("node", mknod(outside("node"), S_IFCHR | 0666, 0x103) == 0);
+  tell("time", utimensat(AT_FDCWD, outside("text"), 0, 0) == 0);
+  tell("time through a link", utimensat(AT_FDCWD, "link", 0, 0) == 0);
+  tell("mode by the new call", syscall(452, AT_FDCWD, outside("text"), 0777, 0) == 0);
+  tell("an attribute", setxattr(outside("text"), "user.a", "b", 1, 0) == 0);
+  tell("exchange", renameat2(AT_FDCWD, "own", AT_FDCWD, outside("text"), RENAME_EXCHANGE) == 0);
+  tell("rename over", rename("own", outside("text")) == 0);
+  tell("rename by dots", rename("own", "../outside/moved") == 0);
+  const int folder = open(outside(""), O_PATH | O_DIRECTORY);
+  tell("make beside a folder", openat(folder, "made", O_WRONLY | O_CREAT, 0666) >= 0);
+  tell("remove beside a folder", unlinkat(folder, "text", 0) == 0);
+  tell("write by the process's root", opens("/proc/self/cwd/../outside/text", O_WRONLY));
+  tell("write the system's programs", opens("/usr/bin/lentray-escape", O_WRONLY | O_CREAT));
+  tell("write below /tmp", opens("/tmp/lentray-escape", O_WRONLY | O_CREAT));
+  tell("write below /dev/shm", opens("/dev/shm/lentray-escape", O_WRONLY | O_CREAT));
   tell("write through a link", opens("link", O_WRONLY));
   tell("make through a link", opens("dangling", O_WRONLY | O_CREAT));
 }
@@ -132,6 +153,15 @@ static void reach_others(void) {
   tell("unshare", unshare(CLONE_NEWUSER) == 0);
   kill(child, 9);
   waitpid(child, 0, 0);
+  tell("type into the terminal", ioctl(0, TIOCSTI, "x") == 0);
+  tell("a queue of messages", msgget(IPC_PRIVATE, 0600) >= 0);
+  tell("shared memory", shmget(IPC_PRIVATE, 4096, 0600) >= 0);
+  child = fork();
+  if (child == 0) _exit(chroot(".") == 0 ? 0 : 1);
+  tell("a root of its own", ends_well(child));
+  tell("a pipe of this machine", open("/dev/ptmx", O_RDWR) >= 0);
+  tell("another's memory by a call", process_vm_readv(getppid(), &(struct iovec){in_outside, 8}, 1,
+                                                      &(struct iovec){in_outside, 8}, 1, 0) > 0);
   tell("a ring of calls", syscall(SYS_io_uring_setup, 1, calloc(1, 256)) >= 0);
 }
 
@@ -141,5 +171,6 @@ int FT_Init_FreeType(void** library) {
   reach_others();
   read_outside();
   write_outside();
+  dprintf(2, "TRIED %d\n", tried);
   return 1;
 }

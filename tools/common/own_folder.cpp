@@ -4,6 +4,7 @@
 #include <sys/file.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cstring>
 #include <stdexcept>
@@ -17,7 +18,29 @@ namespace {
                            "': " + std::strerror(error));
 }
 
+bool is_written_in_place(const std::filesystem::path& inside) {
+  return inside.filename() == "manifest.jsonl" ||
+         std::ranges::any_of(inside, [](const std::filesystem::path& part) {
+           return part.string().starts_with(".lentray-");
+         });
+}
+
 }  // namespace
+
+void refuse_links(const std::filesystem::path& out) {
+  std::error_code error, none;
+  for (std::filesystem::recursive_directory_iterator at(out, error), end; !error && at != end;
+       at.increment(error)) {
+    const bool is_link = at->is_symlink(none);
+    const bool is_hard = !is_link && at->is_regular_file(none) && at->hard_link_count(none) > 1 &&
+                         is_written_in_place(at->path().lexically_relative(out));
+    if (!is_link && !is_hard) continue;
+    throw std::runtime_error("the folder '" + out.string() + "' holds a " +
+                             (is_hard ? "hard link" : "link") + ", '" + at->path().string() +
+                             "', that may have come with the scenes: take it away, name another "
+                             "folder, or say Restrict_IO=Off");
+  }
+}
 
 void make_folder(const std::filesystem::path& folder, const std::filesystem::path& shown) {
   std::error_code error;

@@ -10,6 +10,10 @@ namespace lentray::tool {
 /// Makes the folder and those above it. `shown`: the folder that the message names.
 void make_folder(const std::filesystem::path& folder, const std::filesystem::path& shown);
 
+/// For outputs of strangers' scenes: throws where the folder holds links, or hard links among the files that programs write
+/// to in place, a manifest and those of an OwnFolder. They may have come with the scenes.
+void refuse_links(const std::filesystem::path& out);
+
 class OwnFolder {
  public:
   /// Makes DIR/.PROGRAM. Throws where that cannot be done. `is_alone`: throws also while another run works there.

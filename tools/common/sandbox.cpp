@@ -5,6 +5,7 @@
 #include <linux/filter.h>
 #include <linux/landlock.h>
 #include <linux/seccomp.h>
+#include <sys/ioctl.h>
 #include <sys/prctl.h>
 #include <sys/stat.h>
 #include <sys/syscall.h>
@@ -96,6 +97,11 @@ constexpr std::uint32_t kMachine = AUDIT_ARCH_AARCH64;
 constexpr std::uint32_t kMachine = 0;
 #endif
 
+constexpr std::uint32_t kFchmodat2 = 452;  ///< newer than some systems' headers
+
+/// Requests of ioctl(): what they put into a terminal, whose shell runs it, seems to have been typed.
+constexpr std::array<std::uint32_t, 2> kRefusedRequests{TIOCSTI, TIOCLINUX};
+
 /// No renderer makes them, and what takes one over would.
 constexpr auto kRefusedCalls = std::to_array<std::uint32_t>({
   SYS_execve, SYS_execveat, SYS_ptrace, SYS_process_vm_readv, SYS_process_vm_writev, SYS_socket,
@@ -103,10 +109,12 @@ constexpr auto kRefusedCalls = std::to_array<std::uint32_t>({
       SYS_lsetxattr, SYS_fsetxattr, SYS_mount, SYS_umount2, SYS_pivot_root, SYS_chroot, SYS_unshare,
       SYS_setns, SYS_bpf, SYS_perf_event_open, SYS_keyctl, SYS_add_key, SYS_request_key,
       SYS_kexec_load, SYS_init_module, SYS_finit_module, SYS_open_by_handle_at, SYS_userfaultfd,
-      SYS_io_uring_setup, SYS_pidfd_getfd, SYS_linkat, SYS_symlinkat, SYS_mknodat
+      SYS_io_uring_setup, SYS_pidfd_getfd, SYS_linkat, SYS_symlinkat, SYS_mknodat, SYS_utimensat,
+      SYS_removexattr, SYS_lremovexattr, SYS_mq_open, SYS_shmget, SYS_msgget, SYS_semget, kFchmodat2
 #if defined(__x86_64__)
       ,
-      SYS_chmod, SYS_chown, SYS_lchown, SYS_link, SYS_symlink, SYS_mknod
+      SYS_chmod, SYS_chown, SYS_lchown, SYS_link, SYS_symlink, SYS_mknod, SYS_utime, SYS_utimes,
+      SYS_futimesat
 #endif
 });
 
@@ -126,13 +134,19 @@ std::string bound_calls() {
   if (kMachine == 0) return "there is no filter of system calls for this processor";
   constexpr std::uint32_t kRefused = SECCOMP_RET_ERRNO | EPERM;
   constexpr auto kCount = static_cast<std::uint8_t>(kRefusedCalls.size());
+  constexpr std::uint8_t kIoctl = 5;  ///< statements about it
   std::vector<sock_filter> program{
       BPF_STMT(BPF_LD | BPF_W | BPF_ABS, offsetof(seccomp_data, arch)),
       BPF_JUMP(BPF_JMP | BPF_JEQ | BPF_K, kMachine, 1, 0),
       BPF_STMT(BPF_RET | BPF_K, kRefused),
       BPF_STMT(BPF_LD | BPF_W | BPF_ABS, offsetof(seccomp_data, nr)),
       // Numbers of x86-64's other way to call have this bit.
-      BPF_JUMP(BPF_JMP | BPF_JGE | BPF_K, 0x40000000, static_cast<std::uint8_t>(kCount + 1), 0),
+      BPF_JUMP(BPF_JMP | BPF_JGE | BPF_K, 0x40000000, kCount + kIoctl + 1, 0),
+      BPF_JUMP(BPF_JMP | BPF_JEQ | BPF_K, SYS_ioctl, 0, kIoctl - 1),
+      BPF_STMT(BPF_LD | BPF_W | BPF_ABS, offsetof(seccomp_data, args[1])),  // its lower half
+      BPF_JUMP(BPF_JMP | BPF_JEQ | BPF_K, kRefusedRequests[0], kCount + 3, 0),
+      BPF_JUMP(BPF_JMP | BPF_JEQ | BPF_K, kRefusedRequests[1], kCount + 2, 0),
+      BPF_STMT(BPF_RET | BPF_K, SECCOMP_RET_ALLOW),
   };
   for (std::size_t i = 0; i < kRefusedCalls.size(); ++i) {
     const auto to_end = static_cast<std::uint8_t>(kCount - i);

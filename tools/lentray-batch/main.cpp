@@ -324,21 +324,9 @@ class Batch {
   const std::chrono::steady_clock::time_point m_start = std::chrono::steady_clock::now();
 };
 
-/// Where the folder came with the scenes, pictures and rows would be written through its links.
-void refuse_links(const fs::path& out) {
-  std::error_code error;
-  for (fs::recursive_directory_iterator at(out, error), end; !error && at != end;
-       at.increment(error)) {
-    if (!at->is_symlink(error)) continue;
-    throw parser::OptionError("--out '" + out.string() + "' holds a link, '" + at->path().string() +
-                              "', that may have come with the scenes: take it away, name another "
-                              "folder, or say Restrict_IO=Off");
-  }
-}
-
 int batch(const Arguments& arguments) {
   tool::hold_signals();
-  if (arguments.restricts && arguments.worker.empty()) refuse_links(arguments.out);
+  if (arguments.restricts && arguments.worker.empty()) tool::refuse_links(arguments.out);
   return arguments.worker.empty() ? Batch(arguments).run() : do_task(arguments);
 }
 

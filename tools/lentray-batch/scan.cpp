@@ -1,12 +1,13 @@
 #include "tools/lentray-batch/scan.h"
 
 #include <unistd.h>
-#include <algorithm>
 
+#include <algorithm>
 #include <fstream>
 #include <set>
 
 #include "core/base/ignored_error.h"
+#include "parser/files/opened_file.h"
 #include "parser/options/ini.h"
 #include "tools/common/scene_scanner.h"
 
@@ -23,16 +24,6 @@ bool has_extension(const fs::path& path, std::string_view extension) {
 bool is_within(const fs::path& path, const fs::path& folder) {
   const auto [end, at] = std::ranges::mismatch(folder, path);
   return end == folder.end();
-}
-
-/// A long mesh or array is not looked through: cameras and includes stand before it, or behind in a file of its own.
-std::string beginning(const fs::path& path) {
-  constexpr std::size_t kMost = std::size_t{4} << 20;
-  std::ifstream file(path, std::ios::binary);
-  std::string text(kMost, '\0');
-  file.read(text.data(), static_cast<std::streamsize>(kMost));
-  text.resize(static_cast<std::size_t>(file.gcount()));
-  return text;
 }
 
 /// Absolute, without dots and a slash at its end.
@@ -96,7 +87,7 @@ class Scanner {
                  (has_extension(path, ".pov") || has_extension(path, ".inc")) &&
                  may_follow(*at, root)) {
         if (has_extension(path, ".pov")) scenes.push_back(path);
-        for (const std::string& name : look_at(beginning(path)).includes) {
+        for (const std::string& name : look_at(beginning(path, root)).includes) {
           if (has_extension(name, ".pov"))
             included.emplace((path.parent_path() / name).lexically_normal(), path);
         }
@@ -104,10 +95,24 @@ class Scanner {
     }
     for (const fs::path& scene : scenes) {
       const auto by = included.find(scene);
-      const bool is_part = by != included.end() && !look_at(beginning(scene)).has_camera;
+      const bool is_part = by != included.end() && !look_at(beginning(scene, root)).has_camera;
       add_scene(scene, scene.lexically_relative(root).replace_extension().string(),
                 is_part ? by->second.lexically_relative(root).string() : "");
     }
+  }
+
+  /// A long mesh or array is not looked through: cameras and includes stand before it, or behind in a file of its own.
+  /// The file that is judged is the one that is read, whatever its name means a moment later.
+  std::string beginning(const fs::path& path, const fs::path& root) const {
+    constexpr std::size_t kMost = std::size_t{4} << 20;
+    const parser::Descriptor held = parser::look_at(path.string());
+    if (!held || !parser::special_kind(parser::status_of(held)).empty()) return {};
+    if (!m_follows_links && !is_within(parser::real_path(held), fs::canonical(root))) return {};
+    std::ifstream file(parser::handle_of(held), std::ios::binary);
+    std::string text(kMost, '\0');
+    file.read(text.data(), static_cast<std::streamsize>(kMost));
+    text.resize(static_cast<std::size_t>(file.gcount()));
+    return text;
   }
 
   /// A link may have come with the scenes, and lead to any file of the user's.

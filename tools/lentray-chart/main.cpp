@@ -13,6 +13,7 @@
 #include "tools/common/duration.h"
 #include "tools/common/json_text.h"
 #include "tools/common/machine.h"
+#include "tools/common/own_folder.h"
 #include "tools/common/process.h"
 #include "tools/common/shell_words.h"
 #include "tools/common/tool_main.h"
@@ -258,6 +259,8 @@ class Charting {
 
 int chart(const Arguments& arguments) {
   tool::hold_signals();
+  if (parser::read_options(arguments.for_lentray, parser::installed_sources()).restrict_io)
+    tool::refuse_links(arguments.out);
   try {
     return Charting(arguments).run();
   } catch (const Stopped&) {

@@ -11,8 +11,10 @@
 #include "core/image/run_files.h"
 #include "core/numeric/lens_columns.h"
 #include "parser/options/options.h"
+#include "parser/restrictions/run_rules.h"
 #include "tools/common/json_text.h"
 #include "tools/common/machine.h"
+#include "tools/common/own_folder.h"
 #include "tools/common/process.h"
 #include "tools/common/sheet_facts.h"
 #include "tools/common/shell_words.h"
@@ -253,10 +255,13 @@ std::vector<std::string> kinds_of_pictures(const Arguments& a) {
   return kinds;
 }
 
+std::string picture_path(const Arguments& a, const std::string& kind) {
+  return a.prefix.string() + "-" + kind + ".png";
+}
+
 void write_pictures(const Arguments& a, const Pair& pair, const Pair& seen) {
   const auto put = [&](const char* kind, const StoredImage& image) {
-    fs::path path = a.prefix;
-    path += std::string("-") + kind + ".png";
+    const fs::path path = picture_path(a, kind);
     core::write_stored(image, path);
     std::cout << "  " << path.string() << "\n";
   };
@@ -269,13 +274,24 @@ void write_pictures(const Arguments& a, const Pair& pair, const Pair& seen) {
   if (has("side")) put("side", side_by_side(seen.ours, seen.stock));
 }
 
+/// With Restrict_IO=On no output goes through a link that may have come with the scene.
+void judge_outputs(const Arguments& a) {
+  if (!parser::read_options(a.for_lentray, parser::installed_sources()).restrict_io) return;
+  for (const std::string& kind : kinds_of_pictures(a)) parser::judge_output(picture_path(a, kind));
+  parser::judge_output(a.json);
+  for (const fs::path& folder : {a.stock.keep, a.wrappers}) {
+    parser::judge_output(folder);
+    if (!folder.empty()) tool::refuse_links(folder);
+  }
+}
+
 /// Files are asked for before anything is rendered, and none is an input.
 void check_outputs(const Arguments& a) {
   for (const fs::path& input : a.pictures) core::note_input(input);
   for (const fs::path& input : {a.scene, a.ours, a.statistics}) core::note_input(input);
   core::claim_writable(a.json, "--json");
   for (const std::string& kind : kinds_of_pictures(a)) {
-    core::claim_writable(a.prefix.string() + "-" + kind + ".png", "the picture " + kind);
+    core::claim_writable(picture_path(a, kind), "the picture " + kind);
   }
 }
 
@@ -292,7 +308,7 @@ int render_stock_alone(const Arguments& a) {
   };
   const StoredImage picture = timed(render, stock, about);
   check_outputs(a);
-  const fs::path place = a.prefix.string() + "-stock.png";
+  const fs::path place = picture_path(a, "stock");
   core::write_stored(picture, place);
   std::cout << place.string() << std::endl;
   if (!a.json.empty()) tool::write_whole(a.json, tool::json_text(about, 2) + "\n");
@@ -333,6 +349,7 @@ int only_write_wrappers(const Arguments& a) {
 
 int diff(const Arguments& arguments) {
   if (arguments.stock_alone) return render_stock_alone(arguments);
+  judge_outputs(arguments);
   if (!arguments.wrappers.empty()) return only_write_wrappers(arguments);
   return compare_and_report(arguments);
 }

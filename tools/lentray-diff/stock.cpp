@@ -89,13 +89,13 @@ void write_wrappers(const fs::path& scene, const Sheet& sheet, const fs::path& f
   StockOptions options;
   options.keep = folder;
   const Included included = Workshop(scene, options).included();
-  tool::write_text(folder / "mesh.pov", mesh_scene(sheet, included));
+  tool::write_whole(folder / "mesh.pov", mesh_scene(sheet, included));
   const Way way = best_way(sheet);
   if (way == Way::mesh_camera) return;
   for (std::uint32_t j = 0; j < std::min(sheet.views(), sheet.columns); ++j) {
     if (is_dark(sheet, j, way)) continue;
-    tool::write_text(folder / ("view" + std::to_string(j) + ".pov"),
-                     view_scene(sheet, j, way, included));
+    tool::write_whole(folder / ("view" + std::to_string(j) + ".pov"),
+                      view_scene(sheet, j, way, included));
   }
 }
 

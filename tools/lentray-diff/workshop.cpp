@@ -58,7 +58,7 @@ Included Workshop::included() {
   const std::string readable = without_lenticular(text, changed);
   if (!changed) return {version_directive(text), m_named.string()};
   const fs::path copy = m_root / ("plain-" + m_named.filename().string());
-  tool::write_text(copy, readable);
+  tool::write_whole(copy, readable);
   return {version_directive(text), copy.string()};
 }
 
@@ -66,7 +66,7 @@ StoredImage Workshop::render_text(const std::string& name, const std::string& te
                                   const Shot& shot) const {
   const fs::path folder = m_root / name;
   fs::create_directories(folder);
-  tool::write_text(folder / (name + ".pov"), text);
+  tool::write_whole(folder / (name + ".pov"), text);
   return render(folder, folder / (name + ".pov"), shot);
 }
 
@@ -90,7 +90,7 @@ void Workshop::copy_includes(const std::string& text, int depth) {
     const std::string readable = without_lenticular(inner, changed);
     if (!changed) continue;
     fs::create_directories((m_root / name).parent_path());
-    tool::write_text(m_root / name, readable);
+    tool::write_whole(m_root / name, readable);
   }
 }
 
@@ -104,7 +104,7 @@ StoredImage Workshop::render(const fs::path& folder, const fs::path& scene,
       << "\"\n";
   for (const fs::path& p : m_options.library_paths)
     ini << "Library_Path=\"" << p.string() << "\"\n";
-  tool::write_text(folder / "stock.ini", ini.str());
+  tool::write_whole(folder / "stock.ini", ini.str());
   std::vector<std::string> command{m_options.povray, "stock.ini", "+W" + std::to_string(shot.width),
                                    "+H" + std::to_string(shot.height)};
   command.emplace_back(shot.as_light ? "+FE" : m_options.bits == 16 ? "+FN16" : "+FN8");

@@ -38,6 +38,7 @@ std::string take_file(int file, const std::string& path) {
   struct stat about {};
   if (file < 0 || ::fstat(file, &about) != 0) return std::strerror(errno);
   if (!S_ISREG(about.st_mode)) return "it is no regular file";
+  if (about.st_nlink > 1) return "it has another name (a hard link)";
   if (core::is_input(path)) return "the scene reads it";
   if (::flock(file, LOCK_EX | LOCK_NB) != 0) return "another run is at the same picture";
   return ::ftruncate(file, 0) != 0 ? std::strerror(errno) : "";
