@@ -273,8 +273,7 @@ def hard_links(place, binaries):
                               (["Debug_File=t"], "t", False), (["All_File=t"], "t", False), (["Statistics_File=t"], "t", False)):
         with tempfile.TemporaryDirectory(dir=place) as root:
             world = World(root, binaries)
-            world.put("", SCENE + '#debug "alias ls=evil\n"
-')
+            world.put("", SCENE + '#debug "alias ls=evil\\n"\n')
             at = world.root / "strangers" / name
             os.link(world.root / "victim/rc", at) if link else at.symlink_to(world.root / "victim/made")
             status, said = world.run("lentray", "Restrict_IO=On", "+Ia.pov", "+W8", "+H6", "-V", *words, cwd="strangers")

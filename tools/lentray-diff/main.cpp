@@ -348,8 +348,8 @@ int only_write_wrappers(const Arguments& a) {
 }
 
 int diff(const Arguments& arguments) {
-  if (arguments.stock_alone) return render_stock_alone(arguments);
   judge_outputs(arguments);
+  if (arguments.stock_alone) return render_stock_alone(arguments);
   if (!arguments.wrappers.empty()) return only_write_wrappers(arguments);
   return compare_and_report(arguments);
 }
