@@ -160,16 +160,25 @@ void set_view_cone(Options& o, const Given& g) {
   if (*o.views.cone >= 180.0) refuse(g, "an angle below 180 degrees is expected");
 }
 void set_view_clock(Options& o, const Given& g) { o.views.clocks = clocks_of(g); }
-/// A number greater than 0 and the letters behind it, such as 1.5 GiB.
+/// A number greater than 0 and the letters behind it, such as 1.5 GiB or 9e+06.
 struct Quantity {
   double number = 0.0;
   std::string unit;
 };
 Quantity quantity(const Given& g) {
   std::string text = g.value;
-  const std::size_t letters =
-      std::find_if(text.begin(), text.end(), [](unsigned char c) { return std::isalpha(c); }) -
-      text.begin();
+  const auto is_digit = [&](std::size_t i) {
+    return i < text.size() && std::isdigit(static_cast<unsigned char>(text[i]));
+  };
+  std::size_t letters = 0;
+  for (; letters < text.size(); ++letters) {
+    if (!std::isalpha(static_cast<unsigned char>(text[letters]))) continue;
+    const std::size_t next = letters + 1;
+    const bool has_sign = next < text.size() && (text[next] == '+' || text[next] == '-');
+    const bool is_exponent =
+        (text[letters] == 'e' || text[letters] == 'E') && is_digit(has_sign ? next + 1 : next);
+    if (!is_exponent) break;
+  }
   Quantity out;
   out.unit = text.substr(letters);
   text.erase(letters);

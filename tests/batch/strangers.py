@@ -302,8 +302,8 @@ def hard_links(place, binaries):
 def other_programs(place, binaries):
     """Names that lentray-diff and lentray-chart choose themselves."""
     chart = ("lentray-chart", ["a.pov", "--out", "out", "--quick", "--no-stock", "--only", "quality", "--repeats", "1"])
-    diff = ("lentray-diff", ["a.pov", "--stock-alone"])
-    for (program, words), name in ((diff, "a-diff-ours.png"), (diff, "a-diff-stock.png"), (chart, "out/chart.csv"),
+    diff, stock_alone = ("lentray-diff", ["a.pov"]), ("lentray-diff", ["a.pov", "--stock-alone"])
+    for (program, words), name in ((diff, "a-diff-ours.png"), (stock_alone, "a-diff-stock.png"), (chart, "out/chart.csv"),
                                    (chart, "out/pictures/own.png"), (chart, "out/.lentray-chart/log")):
         with tempfile.TemporaryDirectory(dir=place) as root:
             world = World(root, binaries)

@@ -5,6 +5,7 @@
 #include <system_error>
 
 #include "core/base/ignored_error.h"
+#include "parser/base/shown.h"
 #include "parser/files/watched_files.h"
 #include "tools/common/json_fields.h"
 #include "tools/common/json_text.h"
@@ -135,6 +136,14 @@ ChartFolder::ChartFolder(const fs::path& out)
     : OwnFolder(fs::absolute(out).lexically_normal(), "lentray-chart"),
       m_out(fs::absolute(out).lexically_normal()) {
   tool::make_folder(m_out / "pictures", m_out);
+}
+
+fs::path ChartFolder::file(const std::string& relative) const {
+  const fs::path name = fs::path(relative).lexically_normal();
+  if (name.is_absolute() || (!name.empty() && *name.begin() == ".."))
+    throw std::runtime_error("the chart's state names a file elsewhere: '" +
+                             parser::shown_name(relative) + "'");
+  return m_out / name;
 }
 
 std::optional<ChartState> ChartFolder::load() const {

@@ -44,8 +44,8 @@ class ChartFolder : public tool::OwnFolder {
 
   const std::filesystem::path& out() const { return m_out; }
   std::filesystem::path own(const std::string& name) const { return path() / name; }
-  /// A file of out() that does not begin with a folder's name of its own: "pictures/a.png".
-  std::filesystem::path file(const std::string& relative) const { return m_out / relative; }
+  /// A file of out(): "pictures/a.png". A state may be a stranger's: throws std::runtime_error for one elsewhere.
+  std::filesystem::path file(const std::string& relative) const;
 
   /// Nothing: there is none. Throws std::runtime_error for one that is damaged.
   std::optional<ChartState> load() const;
