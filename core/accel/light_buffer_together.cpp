@@ -5,7 +5,7 @@
 
 namespace lentray::core {
 
-/// Four points and one light.
+/// Four points and one light: begin(), then fetch(), then finish().
 class LightLanes {
  public:
   /// Goes as far as to the cells that are to be searched.

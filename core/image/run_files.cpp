@@ -43,8 +43,8 @@ bool may_be_plain(const fs::path& path) {
   return !fs::exists(status) || fs::is_regular_file(status);
 }
 
-/// The name of the file of that number; empty: there is none. The number of a file that was removed since may have become
-/// another's.
+/// The name of the file of that number; empty: there is none. The number of a file that was removed since
+/// may have become another's.
 fs::path name_of(const FileNumber& number, const std::map<FileNumber, fs::path>& files) {
   const auto found = files.find(number);
   return found != files.end() && plain_file(found->second) == number ? found->second : fs::path();

@@ -12,7 +12,7 @@
 namespace lentray::core {
 namespace {
 
-/// A hash, and the next two.
+/// In 0..1: one for each value of lattice_hash(), and two more for the last.
 const std::vector<double> kRandoms = [] {
   std::mt19937 generator;
   std::vector<double> values(4096 + 2);

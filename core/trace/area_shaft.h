@@ -1,6 +1,6 @@
 // What stands between a point and an area light: the shaft that holds all shadow rays from the point to the light is
 // searched once, and where at most one object stands in it no ray asks any other. World space. One a thread.
-// Who was searched for before changes no answer of a shadow ray: a shaft only tells what cannot be met.
+// Earlier shafts decide whether a shaft is searched, never what a ray meets: a shaft only tells what cannot be met.
 #pragma once
 
 #include <cstdint>
