@@ -42,7 +42,9 @@ class BlendMap {
   }
 
   Place find(double value) const {
-    const auto& [values, reach, items] = *m_entries;
+    const std::vector<double>& values = m_entries->values;
+    const std::vector<double>& reach = m_entries->reach;
+    const std::vector<Item>& items = m_entries->items;
     const auto at = [&](std::size_t i) { return Place{&items[i], &items[i], 0.0}; };
     const std::size_t last = values.size() - 1;
     if (value >= values[last]) return at(last);

@@ -4,18 +4,10 @@
 #pragma once
 
 #include <cstddef>
-#include <stdexcept>
 #include <string>
 #include <string_view>
 
 namespace lentray::core {
-
-/// A record that is none of the pass's own, though it came back whole.
-struct DamagedRecord : std::runtime_error {
-  DamagedRecord()
-      : std::runtime_error(
-            "what was kept of a pass before the picture is damaged; without +C it is begun anew") {}
-};
 
 class PassLedger {
  public:

@@ -14,6 +14,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/base/damaged_record.h"
 #include "core/pass/pass_ledger.h"
 #include "core/pass/pass_progress.h"
 #include "core/pass/pass_queue.h"

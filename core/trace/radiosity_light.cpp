@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
-#include <stdexcept>
 
+#include "core/base/damaged_record.h"
 #include "core/trace/path_rules.h"
 #include "core/trace/random_key.h"
 #include "core/trace/thread_context.h"
@@ -157,8 +157,7 @@ GatheredLight RadiosityLight::gathered_for(const IndirectQuery& query, const Vec
 GatheredLight RadiosityLight::gather_or_recall(const IndirectQuery& query, const Vec3& normal) {
   GatherState state;
   if (std::string record; m_team->recall(record)) {
-    if (!take_gather(record, state, *m_growing))
-      throw std::runtime_error("what was kept of the radiosity pass is damaged");
+    if (!take_gather(record, state, *m_growing)) throw DamagedRecord();
     for (std::size_t i = 0; i < m_depths.size(); ++i) m_depths[i].cycle.begin_at(state.places[i]);
     m_counts = state.counts;
     m_gathers = state.gathers;

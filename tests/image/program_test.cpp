@@ -234,7 +234,7 @@ TEST_F(ImageProgram, WhenStoppedItLeavesNothing) {
                             "while ! grep -q Rendering log && [ $i -lt 600 ]; do sleep 0.1; "
                             "i=$((i + 1)); done; kill -TERM $p; wait $p; s=$?; cat log; exit $s");
   EXPECT_EQ(result.status, 2) << result.output;
-  EXPECT_NE(result.output.find("no picture was written"), std::string::npos);
+  EXPECT_NE(result.output.find("the picture was not written"), std::string::npos);
   EXPECT_FALSE(exists("scene.png"));
 }
 

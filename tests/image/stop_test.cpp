@@ -120,7 +120,8 @@ TEST_P(ImageStopSignal, LeavesTheOldPictureAndNothingElse) {
   EXPECT_EQ(run.wait(), 2) << text("log");
   EXPECT_LT(std::chrono::steady_clock::now() - then, std::chrono::seconds(20));
   // A slow machine may have come to keep a journal by then, and says so before.
-  EXPECT_TRUE(text("log").ends_with("lentray: stopped; no picture was written\n")) << text("log");
+  EXPECT_TRUE(text("log").ends_with("lentray: stopped; the picture was not written\n"))
+      << text("log");
   EXPECT_EQ(text(name), "an older picture");
   EXPECT_EQ(parts().size(), 0u);
 }
@@ -137,7 +138,7 @@ TEST_F(ImageStop, AReadingStopsInOrder) {
   std::this_thread::sleep_for(std::chrono::milliseconds(500));
   run.signal(SIGTERM);
   EXPECT_EQ(run.wait(), 2) << text("log");
-  EXPECT_EQ(text("log"), "lentray: stopped; no picture was written\n");
+  EXPECT_EQ(text("log"), "lentray: stopped; the picture was not written\n");
   EXPECT_NE(text("d.json").find("reads.pov"), std::string::npos);
 }
 
@@ -161,7 +162,7 @@ TEST_F(ImageStop, WhateverItIsAtTheRunEndsSoon) {
     run.signal(SIGTERM);
     EXPECT_EQ(run.wait(), 2) << scene << text("log");
     EXPECT_LT(std::chrono::steady_clock::now() - then, std::chrono::seconds(10)) << scene;
-    EXPECT_NE(text("log").find("stopped; no picture was written"), std::string::npos)
+    EXPECT_NE(text("log").find("stopped; the picture was not written"), std::string::npos)
         << scene << text("log");
     EXPECT_EQ(text("a.png"), "an older picture");
     EXPECT_EQ(parts().size(), 0u) << scene;
@@ -178,7 +179,7 @@ TEST_F(ImageStop, TheTimeEndsWhateverItIsAt) {
     const auto taken = std::chrono::steady_clock::now() - then;
     EXPECT_GT(taken, std::chrono::milliseconds(900)) << scene;
     EXPECT_LT(taken, std::chrono::seconds(10)) << scene;
-    EXPECT_NE(text("log").find("the time is over (Max_Time); no picture was written"),
+    EXPECT_NE(text("log").find("the time is over (Max_Time); the picture was not written"),
               std::string::npos)
         << scene << text("log");
     EXPECT_EQ(text("a.png"), "an older picture");

@@ -13,11 +13,11 @@
 #include <vector>
 
 #include "camera/lens_request.h"
+#include "core/base/damaged_record.h"
 #include "core/base/deep_threads.h"
 #include "core/base/memory_limit.h"
 #include "core/image/writer.h"
 #include "core/image/written_bytes.h"
-#include "core/pass/pass_ledger.h"
 #include "parser/base/shown.h"
 #include "parser/files/files.h"
 #include "parser/options/lens_sheets.h"

@@ -121,8 +121,8 @@ void RunGuard::limit_memory(double bytes) { core::limit_memory(bytes); }
 const std::atomic<bool>& RunGuard::asked() const { return g_asked; }
 
 void RunGuard::tell_stopped() const {
-  std::fputs(m_time_is_over ? "lentray: the time is over (Max_Time); no picture was written\n"
-                            : "lentray: stopped; no picture was written\n",
+  std::fputs(m_time_is_over ? "lentray: the time is over (Max_Time); the picture was not written\n"
+                            : "lentray: stopped; the picture was not written\n",
              stderr);
 }
 

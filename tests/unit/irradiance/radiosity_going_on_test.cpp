@@ -3,6 +3,7 @@
 
 #include <filesystem>
 
+#include "core/base/damaged_record.h"
 #include "core/irradiance/cache_bytes.h"
 #include "parser/options/options.h"
 #include "tests/fuzz/memory_files.h"
@@ -105,6 +106,21 @@ TEST(UnitRadiosityGoingOn, StoppedTwentyTimesItHasTheBitsOfOneRun) {
   EXPECT_EQ(StoppedRun().render(&ledger, stop, 2), whole);
   EXPECT_EQ(ledger.recalled, known);
   EXPECT_GT(ledger.kept, 0);
+}
+
+TEST(UnitRadiosityGoingOn, RecordsOfAnotherKindAreRefused) {
+  const TemporaryFolder folder;
+  const std::string picture = (folder / "a.png").string();
+  const Identity identity{"program", "option\n", {}};
+  {
+    PassFile file(picture, identity, std::chrono::milliseconds(0));
+    file.begin(0);
+    file.keep("no gather");
+  }
+  std::atomic<bool> never{false};
+  PassFile file(picture, identity, std::chrono::milliseconds(0));
+  file.go_on();
+  EXPECT_THROW(StoppedRun().render(&file, never, 1), core::DamagedRecord);
 }
 
 }  // namespace

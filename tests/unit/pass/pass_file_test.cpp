@@ -12,6 +12,7 @@
 #include <string>
 #include <vector>
 
+#include "core/base/damaged_record.h"
 #include "core/pass/pass_list.h"
 #include "parser/options/options.h"
 
