@@ -271,9 +271,11 @@ constexpr int kMostFrames = 2'000'000'000;
 template <auto member>
 constexpr OptionAccess kFrame = kCut<member, 0, kMostFrames>;
 template <auto member>
-constexpr OptionAccess kClock = kCut<member, -kAnyFloat, kAnyFloat>;
+constexpr OptionAccess kClock{
+    [](Options& o, const Given& g) { field<member>(o) = cut_number(o, g, -kAnyFloat, kAnyFloat); },
+    write_field<member>};
 template <auto member>
-constexpr OptionAccess kSubset = kCut<member, 0.0, double{kMostFrames}>;
+constexpr OptionAccess kSubset = kCut<member, 0, kMostFrames>;
 void set_display(Options&, const Given& g) {
   if (g.sign != 0 && g.value.size() > 2) refuse(g, "unknown switch");
 }
@@ -436,14 +438,14 @@ constexpr OptionRow kTable[] = {
     {"Work_Threads", "WT", kCut<&Options::threads, 1, 512, write_positive<&Options::threads>>},
     {"Antialias", "A", {set_antialias, write_field<&Options::antialias>}, kPicture},
     {"Sampling_Method", "AM", kCut<&Options::sampling_method, 0, 2>, kPicture},
-    {"Antialias_Threshold", "", kCut<&Options::antialias_threshold, 0.0, 1.0>, kPicture},
+    {"Antialias_Threshold", "", kCut<&Options::antialias_threshold, 0, 1>, kPicture},
     {"Antialias_Depth", "R", kCut<&Options::antialias_depth, 1, 9>, kPicture},
     {"Antialias_Gamma",
      "AG",
      {set_antialias_gamma, write_field<&Options::antialias_gamma>},
      kPicture},
     {"Jitter", "J", {set_jitter, write_field<&Options::jitter>}, kPicture},
-    {"Jitter_Amount", "", kCut<&Options::jitter_amount, 0.0, 1.0>, kPicture},
+    {"Jitter_Amount", "", kCut<&Options::jitter_amount, 0, 1>, kPicture},
     {"Antialias_Angle", "", kWhole<&Options::antialias_angles, 1, 64>, kPicture},
     {"Antialias_Grid", "", kWhole<&Options::antialias_grid, 0, 64>, kPicture},
     {"Radiosity_File_Name", "RF", {set_radiosity_file, write_field<&Options::radiosity_file>}},
