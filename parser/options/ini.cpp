@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <filesystem>
 
 #include "core/base/joined.h"
 #include "core/base/trimmed.h"
@@ -172,9 +173,8 @@ std::string ini_file_text(const std::string& path) {
   return *text;
 }
 
-IniSection read_ini(const std::string& path, const IniName& name,
+IniSection read_ini(std::string_view text, const std::string& path, const IniName& name,
                     std::vector<std::string>& warnings) {
-  const std::string text = ini_file_text(path);
   IniSection out = ini_lines(text, path, name);
   if (out.is_there) return out;
   const std::string known = core::joined(ini_labels(text));

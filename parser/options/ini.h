@@ -49,8 +49,8 @@ IniSection ini_lines(std::string_view text, const std::string& file, const IniNa
 
 /// The whole file; what it says is an input of the run.
 std::string ini_file_text(const std::string& path);
-/// The lines of a section of a file. As in stock, a section that is not there is no error; a warning names it.
-IniSection read_ini(const std::string& path, const IniName& name,
+/// ini_lines() of a whole file. As in stock, a section that is not there is no error; a warning names it.
+IniSection read_ini(std::string_view text, const std::string& path, const IniName& name,
                     std::vector<std::string>& warnings);
 
 /// Labels of a text's sections, as written.

@@ -1,5 +1,7 @@
 #include "parser/options/options.h"
 
+#include <fcntl.h>
+
 #include <algorithm>
 #include <cctype>
 #include <cstdio>
@@ -9,7 +11,9 @@
 #include "core/base/formed.h"
 #include "core/base/ignored_error.h"
 #include "core/base/memory_limit.h"
+#include "core/image/run_files.h"
 #include "parser/base/shown.h"
+#include "parser/files/opened_file.h"
 #include "parser/options/lens_sheets.h"
 #include "parser/options/options_table.h"
 #include "parser/options/said_options.h"
@@ -47,7 +51,6 @@ class OptionsReader {
     GivenOption given;
     given.from_scene = true;
     m_options.scene_ini_folder = fs::path(path).parent_path().string();
-    check_scenes_ini(path, given);
     file({path, "", false}, path, given, 1);
   }
 
@@ -87,7 +90,9 @@ class OptionsReader {
       throw OptionError(given.where + "INI files are nested more than " + std::to_string(kNesting) +
                         " deep");
     }
-    for (const IniLine& line : read_ini(path, name, m_options.warnings).lines) {
+    const bool is_judged = given.from_scene && m_users->restrict_io;
+    const std::string text = is_judged ? judged_text(path, given) : ini_file_text(path);
+    for (const IniLine& line : read_ini(text, path, name, m_options.warnings).lines) {
       GivenOption next;
       next.from_defaults = given.from_defaults;
       next.from_scene = given.from_scene;
@@ -117,10 +122,7 @@ class OptionsReader {
       return name_scene(name.file, given);
     }
     const std::string path = find(name.file, given);
-    if (!path.empty()) {
-      if (given.from_scene) check_scenes_ini(path, given);
-      return file(name, path, given, depth);
-    }
+    if (!path.empty()) return file(name, path, given, depth);
     if (!name.has_label) {
       for (const char* end : {".pov", ".POV"}) {
         if (!is_file(name.file + end)) continue;
@@ -159,11 +161,11 @@ class OptionsReader {
                                  "picture is like, not what is read, written and run");
   }
 
-  /// What an INI file that came with a scene says, and what it includes, gets into messages.
-  void check_scenes_ini(const std::string& path, const GivenOption& given) const {
-    if (!m_users->restrict_io) return;
-    std::error_code error;
-    const fs::path place = fs::canonical(path, error);
+  /// What an INI file that came with a scene says, and what it includes, gets into messages. The file that is judged is
+  /// the one that is read, whatever its name means a moment later.
+  std::string judged_text(const std::string& path, const GivenOption& given) const {
+    const Descriptor held = look_at(path);
+    const fs::path place = real_path(held);
     std::vector<std::string> folders = m_users->permitted_paths;
     folders.push_back(m_options.scene_ini_folder.empty() ? "." : m_options.scene_ini_folder);
     const auto holds = [&](const std::string& name) {
@@ -171,10 +173,17 @@ class OptionsReader {
       const fs::path folder = fs::canonical(name, no_folder);
       return !no_folder && std::ranges::mismatch(folder, place).in1 == folder.end();
     };
-    if (!error && std::ranges::any_of(folders, holds)) return;
-    throw OptionError(given.where + "Restrict_IO: the INI file '" + shown_name(path) +
-                      "' is refused: an INI file that came with a scene, and what it includes, lie "
-                      "in its folder");
+    if (!special_kind(status_of(held)).empty() || !std::ranges::any_of(folders, holds)) {
+      throw OptionError(
+          given.where + "Restrict_IO: the INI file '" + shown_name(path) +
+          "' is refused: an INI file that came with a scene, and what it includes, lie "
+          "in its folder");
+    }
+    core::note_input(status_of(held), path);
+    const auto text = read_all(reopen(held, O_RDONLY | O_CLOEXEC));
+    if (!text)
+      throw OptionError(given.where + "cannot read the INI file '" + shown_name(path) + "'");
+    return *text;
   }
 
   /// An INI file is looked for as it is named, with .ini added, and then along the library paths.
@@ -370,24 +379,32 @@ std::string first_ini(std::span<const std::string> names) {
   return found == names.end() ? "" : *found;
 }
 
+/// Whether the command line restricts without what INI files of defaults say: then none of those that may be a stranger's
+/// is opened.
+bool restricts(std::span<const std::string> arguments) {
+  try {
+    return read_words("", arguments, nullptr).restrict_io;
+  } catch (const OptionError&) {
+    return false;  // told when all is read
+  }
+}
+
 /// What the run may read and write follows from the user's words. Those of the scene's INI file are read when they
 /// are known, and change nothing of that.
 RenderOptions read_all(std::span<const std::string> arguments, const OptionSources& sources) {
   const std::vector<std::string>& inis = sources.default_ini_files;
   std::string ini = first_ini(inis);
+  // The folder's may have come with the scene, and could name folders, files and commands.
+  const bool is_left_out = ini == kFolderIni && (restricts(arguments) ||
+                                                 read_words(ini, arguments, nullptr).restrict_io);
+  if (is_left_out) ini = first_ini({std::ranges::find(inis, kFolderIni) + 1, inis.end()});
   RenderOptions users = read_words(ini, arguments, nullptr);
-  const bool is_folders = users.restrict_io && ini == kFolderIni;
-  if (is_folders) {
-    // It may have come with the scene, and could name folders, files and commands.
-    ini = first_ini({std::ranges::find(inis, kFolderIni) + 1, inis.end()});
-    users = read_words(ini, arguments, nullptr);
-    users.restrict_io = true;
-  }
+  users.restrict_io = users.restrict_io || is_left_out;
   RenderOptions options =
       std::ranges::any_of(arguments, is_scene_ini) ? read_words(ini, arguments, &users) : users;
   options.restrict_io = users.restrict_io;
   options.users_libraries = users.library_paths;
-  if (is_folders) {
+  if (is_left_out) {
     options.warnings.emplace_back(
         "Restrict_IO=On: the current folder's povray.ini is not read; name it to have it read");
   }

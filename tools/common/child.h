@@ -9,17 +9,22 @@
 #include <cstdint>
 #include <filesystem>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
+
+#include "parser/files/opened_file.h"
 
 namespace lentray::tool {
 
 struct Launch {
   std::vector<std::string> command;  ///< command[0] is looked for along PATH
   std::filesystem::path folder;      ///< the current folder there
-  std::filesystem::path log;         ///< standard output and error, from the beginning of the file
-  std::function<int()> work;         ///< instead of a command: its exit status
+  std::shared_ptr<const parser::Descriptor>
+      held;                   ///< what `folder` is the handle of, where it is one
+  std::filesystem::path log;  ///< standard output and error, from the beginning of the file
+  std::function<int()> work;  ///< instead of a command: its exit status
   double cpu_limit =
       0.0;  ///< seconds of processor time after which it is ended by SIGXCPU, rounded up; 0: none
 };

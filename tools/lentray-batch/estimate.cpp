@@ -64,7 +64,7 @@ Coarse start(const Plan& plan, const Job& job, const std::string& place) {
   coarse.statistics = place + (job.frame() ? job.frame()->digits : "") + ".json";
   coarse.scale = size_of(o).pixels() / (width * height);
   tool::Launch launch;
-  launch.folder = job.scene().source.parent_path();
+  enter_folder(launch, plan, job.scene());
   launch.log = place + ".log";
   launch.command = {plan.arguments.lentray.string()};
   tool::append(launch.command, job.words());
@@ -124,7 +124,11 @@ std::optional<std::vector<Estimate>> estimates_of(const Plan& plan, const std::v
     while (!waiting.empty() && running.size() < most) {
       const std::size_t i = waiting.front();
       waiting.pop_front();
-      running[i] = start(plan, *jobs[i], (folder / std::to_string(i)).string());
+      try {
+        running[i] = start(plan, *jobs[i], (folder / std::to_string(i)).string());
+      } catch (const std::runtime_error&) {
+        // The picture's own run tells it.
+      }
     }
     if (tool::wait_for_news(std::chrono::milliseconds(200)) != 0) return std::nullopt;
     std::erase_if(running, [&out](auto& entry) {

@@ -103,6 +103,17 @@ std::string word_of(const Scene& scene) {
   return (has_end ? "+I./" : "+I") + name;
 }
 
+void enter_folder(tool::Launch& launch, const Plan& plan, const Scene& scene) {
+  const fs::path folder = scene.source.parent_path();
+  auto held = std::make_shared<const parser::Descriptor>(parser::look_at(folder.string()));
+  if (*held && plan.arguments.restricts &&
+      !lies_in(plan.arguments.inputs, parser::real_path(*held)))
+    throw std::runtime_error("Restrict_IO: '" + folder.string() +
+                             "' leads out of the folders of this batch");
+  launch.folder = *held ? fs::path(parser::handle_of(*held)) : folder;
+  launch.held = std::move(held);
+}
+
 parser::RenderOptions options_of(const Plan& plan, const Scene& scene) {
   return parser::read_options(options_in_words(plan, scene), {});
 }
@@ -349,7 +360,7 @@ std::vector<std::string> Job::command(const Job& last, int threads) const {
 
 tool::Launch Job::render(const Job& last, bool goes_on, int threads, double memory) const {
   tool::Launch launch;
-  launch.folder = m_scene.source.parent_path();
+  enter_folder(launch, m_plan, m_scene);
   launch.log = run_file("log");
   fs::create_directories(made_picture().parent_path());
   launch.command = command(last, threads);
@@ -448,8 +459,16 @@ void Job::give_up(const std::string& reason) {
   m_row.limits = limits();
   m_row.finished = utc_now();
   if (m_row.files.empty()) {
-    if (const auto stamp = stamp_of(m_scene.source)) m_row.files[m_scene.source.string()] = *stamp;
+    stamp(m_scene.source);
   }
+}
+
+void Job::stamp(const fs::path& path) {
+  const parser::Descriptor held = parser::look_at(path.string());
+  if (!held ||
+      (m_plan.arguments.restricts && !lies_in(m_plan.arguments.inputs, parser::real_path(held))))
+    return;
+  if (const auto stamp = stamp_of(parser::handle_of(held))) m_row.files[path.string()] = *stamp;
 }
 
 void Job::fail_as(const Row& view) {
@@ -490,7 +509,7 @@ void Job::read_dependencies(std::int64_t since) {
   for (const json& path : read.at("missing"))
     m_row.missing.push_back(absolute(path.get<std::string>()));
   if (m_plan.arguments.scene_ini && !m_scene.ini.empty()) {
-    if (const auto stamp = stamp_of(m_scene.ini)) m_row.files[m_scene.ini.string()] = *stamp;
+    stamp(m_scene.ini);
   }
 }
 
@@ -544,7 +563,7 @@ bool Job::needs_comparison() const {
 
 tool::Launch Job::compare(int processes) {
   tool::Launch launch;
-  launch.folder = m_scene.source.parent_path();
+  enter_folder(launch, m_plan, m_scene);
   launch.log = run_file("comparison");
   const fs::path prefix = root() / "compare" / fs::path(m_row.picture).replace_extension();
   fs::create_directories(prefix.parent_path());

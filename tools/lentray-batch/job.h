@@ -120,6 +120,8 @@ class Job {
   std::filesystem::path picture_path() const;
   std::filesystem::path made_picture() const;
   std::string limits() const;
+  /// Remembers what a file is that the row was made of, unless its name leads out of a restricted batch.
+  void stamp(const std::filesystem::path& path);
   void read_dependencies(std::int64_t since);
   void read_statistics();
   void read_log();
@@ -151,6 +153,9 @@ struct PictureSize {
 PictureSize size_of(const parser::RenderOptions& options);
 /// The word that names a scene in its own folder.
 std::string word_of(const Scene& scene);
+/// The scene's folder, held, becomes the program's current folder. Throws std::runtime_error if it leads out of a
+/// restricted batch.
+void enter_folder(tool::Launch& launch, const Plan& plan, const Scene& scene);
 /// Where a band of a picture is kept until all are there, relative to the batch's folder.
 std::string band_picture(const std::string& picture, int index);
 /// The scene's options: the batch's, then those of scene.ini. Throws parser::OptionError.

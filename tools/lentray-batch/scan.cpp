@@ -187,6 +187,19 @@ Scan find_scenes(const std::vector<fs::path>& inputs, const ScanOptions& options
   return scanner.take();
 }
 
+bool lies_in(const std::vector<fs::path>& inputs, const fs::path& place) {
+  return std::ranges::any_of(inputs, [&](const fs::path& input) {
+    const fs::path named = whole(input);
+    std::error_code error;
+    const bool is_folder = fs::is_directory(named, error);
+    for (const fs::path& of : {named, is_folder ? named : named.parent_path()}) {
+      const fs::path real = fs::canonical(of, error);
+      if (!error && is_within(place, real)) return true;
+    }
+    return false;
+  });
+}
+
 std::vector<fs::path> folders_of(const std::vector<fs::path>& inputs, const fs::path& source) {
   std::vector<fs::path> out;
   for (const fs::path& input : inputs) {

@@ -31,6 +31,9 @@ struct ScanOptions {
 Scan find_scenes(const std::vector<std::filesystem::path>& inputs, const ScanOptions& options,
                  const std::map<std::string, std::string>& known);
 
+/// Whether that place, where it really lies, is of the inputs: links on the way to these are the user's.
+bool lies_in(const std::vector<std::filesystem::path>& inputs, const std::filesystem::path& place);
+
 /// The folders of the inputs that the scene lies in, its own if it was named itself; absolute. None: it is no scene of
 /// theirs.
 std::vector<std::filesystem::path> folders_of(const std::vector<std::filesystem::path>& inputs,

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <cmath>
 #include <cstdlib>
 #include <functional>
@@ -10,7 +9,6 @@
 #include <thread>
 
 #include "core/base/lower_case.h"
-#include "parser/options/ini.h"
 #include "parser/options/options.h"
 
 namespace lentray::diff {
@@ -36,11 +34,7 @@ class Parsing {
   void all(const std::vector<std::string>& words) {
     for (std::size_t i = 0; i < words.size(); ++i) {
       const std::string& word = words[i];
-      if (word.rfind("--", 0) == 0) {
-        own(word, words, i);
-      } else {
-        lentrays(word);
-      }
+      word.starts_with("--") ? own(word, words, i) : bare(word);
     }
     finish();
   }
@@ -55,7 +49,7 @@ class Parsing {
     const std::map<std::string, std::function<void(const std::string&)>> table{
         {"--grade", [&](const std::string& v) { grade(v); }},
         {"--json", [&](const std::string& v) { m_out.json = v; }},
-        {"--output", [&](const std::string& v) { m_out.prefix = v; }},
+        {"--output", [&](const std::string& v) { m_prefix = v; }},
         {"--keep", [&](const std::string& v) { m_out.stock.keep = v; }},
         {"--lentray", [&](const std::string& v) { m_out.lentray = v; }},
         {"--povray", [&](const std::string& v) { m_out.stock.povray = v; }},
@@ -72,7 +66,6 @@ class Parsing {
         {"--scene-ini",
          [&](const std::string& v) {
            m_out.for_lentray.insert(m_out.for_lentray.end(), {"--scene-ini", v});
-           on_ini(v, 0);
          }},
         {"--time-limit",
          [&](const std::string& v) { m_out.stock.seconds = positive_number(name, v); }}};
@@ -116,119 +109,36 @@ class Parsing {
     m_out.stock.bits = value == "8" ? 8 : 16;
   }
 
-  void lentrays(const std::string& word) {
-    const std::size_t equals = word.find('=');
-    if (parser::is_switch(word)) {
-      on_switch(word, fs::current_path());
-    } else if (equals != std::string::npos && !parser::is_scene_word(word)) {
-      on_option(word.substr(0, equals), parser::unquoted(word.substr(equals + 1)),
-                fs::current_path());
-    } else {
-      on_file(word);
-      return;
-    }
-    if (!is_place(word)) m_out.for_lentray.push_back(word);
-  }
-
-  /// Input and output are ours to say.
-  static bool is_place(const std::string& word) {
-    const std::string name = core::lower_case(word.substr(0, word.find('=')));
-    if (word[0] == '+' || word[0] == '-')
-      return name.size() > 1 && (name[1] == 'i' || name[1] == 'o');
-    return name == "input_file_name" || name == "output_file_name" || name == "output_to_file";
-  }
-
-  void on_switch(const std::string& word, const fs::path& folder) {
-    const char letter = static_cast<char>(std::tolower(static_cast<unsigned char>(word[1])));
-    const std::string value = parser::unquoted(word.substr(2));
-    if (letter == 'i' && !value.empty()) m_out.scene = value;
-    if (letter == 'o' && !value.empty()) set_prefix(value);
-    if (letter == 'l') m_out.stock.library_paths.push_back((folder / value).lexically_normal());
-    const std::string two = core::lower_case(word.substr(1, 2));
-    const bool clock = letter == 'k' && !value.empty() &&
-                       (std::isdigit(static_cast<unsigned char>(value[0])) || value[0] == '.' ||
-                        value[0] == '-' || value[0] == '+');
-    const bool frames = two == "kf" || two == "ki" || two == "kc" || two == "sf" || two == "ef" ||
-                        core::lower_case(word.substr(1)).starts_with("stp");
-    if (letter == 'q' || two == "mv" || two == "ua" || clock || frames)
-      m_out.stock.arguments.push_back(word);
-  }
-
-  void on_option(const std::string& name, const std::string& value, const fs::path& folder) {
-    static constexpr std::array seen_in_stock{"declare",
-                                              "quality",
-                                              "version",
-                                              "clock",
-                                              "file_gamma",
-                                              "output_alpha",
-                                              "initial_clock",
-                                              "final_clock",
-                                              "initial_frame",
-                                              "final_frame",
-                                              "subset_start_frame",
-                                              "subset_end_frame",
-                                              "frame_step",
-                                              "cyclic_animation"};
-    const std::string key = core::lower_case(name);
-    if (key == "input_file_name") m_out.scene = value;
-    if (key == "output_file_name") set_prefix(value);
-    if (key == "library_path") {
-      m_out.stock.library_paths.push_back((folder / value).lexically_normal());
-    }
-    if (key == "lens_pixels") m_out.lens_pixels = positive_number(name, value);
-    if (key == "view")
-      m_out.view = static_cast<std::uint32_t>(std::strtoul(value.c_str(), nullptr, 10));
-    if (std::find(seen_in_stock.begin(), seen_in_stock.end(), key) != seen_in_stock.end()) {
-      m_out.stock.arguments.push_back(name + "=" + value);
-    }
-  }
-
-  void on_file(const std::string& word) {
-    const std::string extension = core::lower_case(fs::path(word).extension().string());
-    if (extension.rfind(".ini", 0) == 0) {
-      m_out.for_lentray.push_back(word);
-      return on_ini(word, 0);
-    }
+  void bare(const std::string& word) {
     static constexpr std::array picture_extensions{".png", ".tif", ".tiff", ".exr", ".ppm",
                                                    ".pgm", ".bmp", ".tga",  ".jpg", ".hdr"};
-    if (std::find(picture_extensions.begin(), picture_extensions.end(), extension) !=
-        picture_extensions.end()) {
-      m_out.pictures.emplace_back(word);
-    } else if (m_out.scene.empty()) {
-      m_out.scene = word;
-    } else {
-      throw OptionError("two scenes: '" + m_out.scene.string() + "' and '" + word + "'");
+    const std::string extension = core::lower_case(fs::path(word).extension().string());
+    const bool is_picture =
+        std::ranges::find(picture_extensions, extension) != picture_extensions.end();
+    if (parser::is_scene_word(word)) {
+      if (is_picture) return void(m_out.pictures.emplace_back(word));
+      if (!m_scene.empty()) throw OptionError("two scenes: '" + m_scene + "' and '" + word + "'");
+      m_scene = word;
     }
+    m_out.for_lentray.push_back(word);
   }
 
-  void on_ini(const std::string& text, int depth) {
-    if (depth > 10) throw OptionError("'" + text + "' includes itself");
-    const parser::IniName name = parser::ini_name(text);
-    std::vector<std::string> warnings;  // lentray's own run reports them
-    for (const parser::IniLine& line : parser::read_ini(name.file, name, warnings).lines) {
-      switch (line.kind) {
-        case parser::IniLine::Kind::kOption:
-          on_option(line.text, line.value, fs::current_path());
-          break;
-        case parser::IniLine::Kind::kSwitch: on_switch(line.text, fs::current_path()); break;
-        case parser::IniLine::Kind::kNested: on_ini(line.text, depth + 1); break;
-      }
-    }
-  }
-
-  void set_prefix(const std::string& picture) {
-    m_out.prefix = fs::path(picture).replace_extension();
-  }
-
-  void finish() const {
+  void finish() {
+    m_out.options = parser::read_options(m_out.for_lentray, sources());
+    const parser::RenderOptions& options = m_out.options;
+    m_out.prefix = m_prefix.empty() ? fs::path(options.output).replace_extension() : m_prefix;
+    for (const std::string& folder : options.library_paths)
+      m_out.stock.library_paths.push_back(fs::absolute(folder).lexically_normal());
+    m_out.stock.arguments = seen_in_stock(options);
     if (!m_out.pictures.empty()) {
-      if (!m_out.scene.empty() || m_out.pictures.size() != 2) {
+      if (!m_scene.empty() || m_out.pictures.size() != 2) {
         throw OptionError("give a scene, or two pictures");
       }
       if (m_out.prefix.empty())
         m_out.prefix = fs::path(m_out.pictures[0].stem().string() + "-diff");
       return;
     }
+    m_out.scene = options.input;
     if (m_out.scene.empty()) throw OptionError("no scene given");
     if (m_out.ours.empty() != m_out.statistics.empty())
       throw OptionError("--ours and --statistics go together");
@@ -239,7 +149,31 @@ class Parsing {
     if (m_out.prefix.empty()) m_out.prefix = fs::path(m_out.scene.stem().string() + "-diff");
   }
 
+  /// Stock has its own standard libraries.
+  static parser::OptionSources sources() {
+    parser::OptionSources out = parser::installed_sources();
+    out.standard_libraries.clear();
+    return out;
+  }
+
+  /// What changes the picture that stock makes of the scene.
+  static std::vector<std::string> seen_in_stock(const parser::RenderOptions& options) {
+    std::vector<std::string> out;
+    for (const auto& [name, value] : options.declares)
+      out.push_back("Declare=" + name + "=" + value);
+    for (const char* name :
+         {"Quality", "Version", "Clock", "File_Gamma", "Output_Alpha", "Initial_Frame",
+          "Final_Frame", "Initial_Clock", "Final_Clock", "Subset_Start_Frame", "Subset_End_Frame",
+          "Frame_Step", "Cyclic_Animation"}) {
+      const auto said = options.said.find(name);
+      if (said != options.said.end()) out.push_back(said->second.text);
+    }
+    return out;
+  }
+
   Arguments& m_out;
+  std::string m_scene;  ///< the one that is named without a switch
+  fs::path m_prefix;    ///< of --output
 };
 
 }  // namespace

@@ -1,15 +1,15 @@
 // The command line of lentray-diff: its own options, and lentray's, which go to lentray as they
 // are and to stock as far as they change what is seen there (Declare=, +L, +Q, +MV, +K, +UA,
-// File_Gamma=, frames and clocks, also from .ini files).
-// Errors: parser::OptionError. Pure but for reading .ini files.
+// File_Gamma=, frames and clocks, also from INI files).
+// Errors: parser::OptionError. Pure but for reading INI files.
 #pragma once
 
 #include <filesystem>
-#include <optional>
 #include <string>
 #include <vector>
 
 #include "core/image/compare.h"
+#include "parser/options/options.h"
 #include "tools/lentray-diff/stock.h"
 
 namespace lentray::diff {
@@ -21,8 +21,6 @@ enum class AskNoise { where_it_is, always, never };
 struct Arguments {
   std::filesystem::path scene;                  ///< empty when two pictures are compared
   std::vector<std::filesystem::path> pictures;  ///< none or two
-  std::optional<double> lens_pixels;            ///< Lens_Pixels=, for two pictures
-  std::optional<std::uint32_t> view;            ///< View=
   core::Grade asked = core::Grade::match;
   AskNoise noise = AskNoise::where_it_is;
   std::filesystem::path prefix;  ///< of the pictures that are written
@@ -31,7 +29,8 @@ struct Arguments {
   bool write_pictures = true, all_lenses = false;
   std::filesystem::path lentray;  ///< the program; empty: beside lentray-diff
   std::vector<std::string> for_lentray;
-  bool stock_alone = false;  ///< stock's picture, with nothing to compare it with
+  parser::RenderOptions options;  ///< what they mean
+  bool stock_alone = false;       ///< stock's picture, with nothing to compare it with
   std::filesystem::path ours,
       statistics;      ///< of lentray's run of the scene, which is then not repeated
   StockOptions stock;  ///< processes: also lentray's threads

@@ -138,10 +138,9 @@ StoredImage timed(const StockRender& render, const StockOptions& options, json& 
 
 Pair render_both(const Arguments& given) {
   Arguments a = given;
-  const parser::RenderOptions options = parser::read_options(a.for_lentray, {});
-  a.stock.antialiasing = antialiasing_of(options);
+  a.stock.antialiasing = antialiasing_of(a.options);
   Ours ours = render_ours(a);
-  a.stock.colours = colour_spaces_of(ours.statistics, options);
+  a.stock.colours = colour_spaces_of(ours.statistics, a.options);
   Pair pair;
   pair.about = {{"scene", a.scene.string()},
                 {"antialiased", a.stock.antialiasing.on},
@@ -168,11 +167,12 @@ Pair render_both(const Arguments& given) {
     pair.about["samples_a_pixel"] = samples_a_pixel(way, a.stock);
     pair.about["way"] = name_of(way);
     pair.about["lens"] = ours.statistics["lens"];
-    if (a.view) std::cout << "view " << *a.view << " alone\n";
-    render = [scene = a.scene, sheet = *sheet, way, view = a.view](const StockOptions& how) {
+    const std::optional<std::uint32_t> view = a.options.view;
+    if (view) std::cout << "view " << *view << " alone\n";
+    render = [scene = a.scene, sheet = *sheet, way, view](const StockOptions& how) {
       return view ? stock_view(scene, sheet, *view, how) : stock_integral(scene, sheet, way, how);
     };
-    if (!a.view) pair.lens_pixels = sheet->pixels;
+    if (!view) pair.lens_pixels = sheet->pixels;
   }
   pair.stock = timed(render, a.stock, pair.about);
   if (noisy) pair.render_stock = render;
@@ -192,8 +192,8 @@ Pair read_both(const Arguments& a) {
   Pair pair;
   pair.ours = core::read_image(a.pictures[0]);
   pair.stock = core::read_image(a.pictures[1]);
-  pair.lens_pixels =
-      a.lens_pixels.value_or(std::max(lens_pixels_in(pair.ours), lens_pixels_in(pair.stock)));
+  pair.lens_pixels = a.options.lens.pixels.value_or(
+      std::max(lens_pixels_in(pair.ours), lens_pixels_in(pair.stock)));
   pair.about = {{"pictures", {a.pictures[0].string(), a.pictures[1].string()}},
                 {"width", pair.ours.width},
                 {"height", pair.ours.height}};
@@ -276,7 +276,7 @@ void write_pictures(const Arguments& a, const Pair& pair, const Pair& seen) {
 
 /// With Restrict_IO=On no output goes through a link that may have come with the scene.
 void judge_outputs(const Arguments& a) {
-  if (!parser::read_options(a.for_lentray, parser::installed_sources()).restrict_io) return;
+  if (!a.options.restrict_io) return;
   for (const std::string& kind : kinds_of_pictures(a)) parser::judge_output(picture_path(a, kind));
   parser::judge_output(a.json);
   for (const fs::path& folder : {a.stock.keep, a.wrappers}) {
@@ -297,14 +297,13 @@ void check_outputs(const Arguments& a) {
 
 /// Stock's picture, and what it took.
 int render_stock_alone(const Arguments& a) {
-  const parser::RenderOptions options = parser::read_options(a.for_lentray, {});
   StockOptions stock = a.stock;
-  stock.antialiasing = antialiasing_of(options);
+  stock.antialiasing = antialiasing_of(a.options);
   stock.antialiasing.angles = 1;
   json about{{"scene", a.scene.string()}};
   const auto render = [&](const StockOptions& how) {
-    return stock_picture(a.scene, static_cast<std::uint32_t>(options.width),
-                         static_cast<std::uint32_t>(options.height), how);
+    return stock_picture(a.scene, static_cast<std::uint32_t>(a.options.width),
+                         static_cast<std::uint32_t>(a.options.height), how);
   };
   const StoredImage picture = timed(render, stock, about);
   check_outputs(a);

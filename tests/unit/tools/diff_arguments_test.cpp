@@ -20,16 +20,19 @@ class UnitDiffArguments : public ::testing::Test {
  protected:
   void SetUp() override { tool::write_text(m_folder / "a.pov", "#version 3.7;\n"); }
   Arguments parse(DiffArgumentsWords words) {
+    return parse_arguments(with_scene(std::move(words)));
+  }
+  DiffArgumentsWords with_scene(DiffArgumentsWords words) const {
     words.insert(words.begin(), (m_folder / "a.pov").string());
-    return parse_arguments(words);
+    return words;
   }
   tool::TemporaryFolder m_folder;
 };
 
 TEST_F(UnitDiffArguments, SceneOptionsReachBoth) {
   const Arguments a = parse({"Declare=Size=2", "+Q5", "+K0.5", "File_Gamma=1.0", "+Linc", "+W30"});
-  EXPECT_EQ(a.for_lentray, (DiffArgumentsWords{"Declare=Size=2", "+Q5", "+K0.5", "File_Gamma=1.0",
-                                               "+Linc", "+W30"}));
+  EXPECT_EQ(a.for_lentray,
+            with_scene({"Declare=Size=2", "+Q5", "+K0.5", "File_Gamma=1.0", "+Linc", "+W30"}));
   EXPECT_EQ(a.stock.arguments,
             (DiffArgumentsWords{"Declare=Size=2", "+Q5", "+K0.5", "File_Gamma=1.0"}));
   ASSERT_EQ(a.stock.library_paths.size(), 1u);
@@ -38,15 +41,15 @@ TEST_F(UnitDiffArguments, SceneOptionsReachBoth) {
 
 TEST_F(UnitDiffArguments, LensOptionsReachLentrayAlone) {
   const Arguments a = parse({"Lenticular=On", "Lens_Pixels=7.37", "View=3"});
-  EXPECT_EQ(a.for_lentray, (DiffArgumentsWords{"Lenticular=On", "Lens_Pixels=7.37", "View=3"}));
+  EXPECT_EQ(a.for_lentray, with_scene({"Lenticular=On", "Lens_Pixels=7.37", "View=3"}));
   EXPECT_TRUE(a.stock.arguments.empty());
-  EXPECT_EQ(a.view, 3u);
+  EXPECT_EQ(a.options.view, 3u);
 }
 
 TEST_F(UnitDiffArguments, FramesReachBoth) {
   const DiffArgumentsWords frames{"+KFI1", "+KFF9", "Final_Clock=2", "+SF3", "+EF3"};
   EXPECT_EQ(parse(frames).stock.arguments, frames);
-  EXPECT_EQ(parse(frames).for_lentray, frames);
+  EXPECT_EQ(parse(frames).for_lentray, with_scene(frames));
 }
 
 TEST_F(UnitDiffArguments, PicturesThatAreThereNeedTheirStatistics) {
@@ -59,8 +62,8 @@ TEST_F(UnitDiffArguments, PicturesThatAreThereNeedTheirStatistics) {
 
 TEST_F(UnitDiffArguments, OutputNamesThePictures) {
   const Arguments a = parse({"+Oout/b.png", "Output_File_Name=c.png"});
-  EXPECT_TRUE(a.for_lentray.empty());
   EXPECT_EQ(a.prefix, "c");
+  EXPECT_EQ(parse({"+Oout/b.png", "--output", "d"}).prefix, "d");
   EXPECT_EQ(parse({}).prefix, "a-diff");
 }
 
@@ -71,7 +74,24 @@ TEST_F(UnitDiffArguments, IniFilesAreReadForStock) {
   EXPECT_EQ(parse({ini}).stock.arguments, (DiffArgumentsWords{"Declare=Size=3"}));
   EXPECT_EQ(parse({ini + "[small]"}).stock.arguments,
             (DiffArgumentsWords{"Declare=Size=3", "Quality=4"}));
-  EXPECT_EQ(parse({ini}).for_lentray, (DiffArgumentsWords{ini}));
+  EXPECT_EQ(parse({ini}).for_lentray, with_scene({ini}));
+}
+
+TEST_F(UnitDiffArguments, ScenesIniNamesNeitherSceneNorOutput) {
+  tool::write_text(m_folder / "s.ini",
+                   "Input_File_Name=/etc/passwd\nOutput_File_Name=x.png\nQuality=4\n+Linc\n");
+  for (const DiffArgumentsWords& more :
+       {DiffArgumentsWords{}, DiffArgumentsWords{"Restrict_IO=On"}}) {
+    DiffArgumentsWords words = more;
+    words.insert(words.end(), {"--scene-ini", (m_folder / "s.ini").string()});
+    const Arguments a = parse(words);
+    EXPECT_EQ(a.scene, m_folder / "a.pov");
+    EXPECT_EQ(a.prefix, "a-diff");
+    EXPECT_EQ(a.stock.arguments, (DiffArgumentsWords{"Quality=4"}));
+    EXPECT_EQ(a.stock.library_paths.size(), 1u);
+  }
+  tool::write_text(m_folder / "up.ini", "../x.ini\n");
+  EXPECT_THROW(parse({"--scene-ini", (m_folder / "up.ini").string()}), parser::OptionError);
 }
 
 TEST_F(UnitDiffArguments, OwnOptions) {
@@ -83,13 +103,13 @@ TEST_F(UnitDiffArguments, OwnOptions) {
   EXPECT_EQ(a.json, "x.json");
   EXPECT_EQ(a.stock.processes, 3);
   EXPECT_EQ(a.stock.bits, 16);
-  EXPECT_TRUE(a.for_lentray.empty());
+  EXPECT_EQ(a.for_lentray, with_scene({}));
 }
 
 TEST_F(UnitDiffArguments, TwoPictures) {
   const Arguments a = parse_arguments({"a.png", "b.tif", "Lens_Pixels=15"});
   EXPECT_EQ(a.pictures.size(), 2u);
-  EXPECT_EQ(a.lens_pixels, 15.0);
+  EXPECT_EQ(a.options.lens.pixels, 15.0);
 }
 
 TEST_F(UnitDiffArguments, Refused) {
