@@ -1,7 +1,5 @@
 #include "tools/lentray-batch/scan.h"
 
-#include <unistd.h>
-
 #include <algorithm>
 #include <fstream>
 #include <set>
@@ -60,45 +58,50 @@ class Scanner {
   }
 
  private:
-  void add_folder(const fs::path& root) {
+  struct Found {
     std::vector<fs::path> scenes;
     std::map<fs::path, fs::path> included;  // by whom
+  };
+
+  void add_folder(const fs::path& root) {
     std::error_code error;
-    fs::recursive_directory_iterator at(root, error), end;
+    fs::directory_iterator(root, error);
     if (error)
       throw parser::OptionError("cannot read the folder '" + root.string() +
                                 "': " + error.message());
-    for (; at != end; at.increment(error)) {
-      if (error) {
-        m_scan.warnings.push_back("some of '" + root.string() +
-                                  "' cannot be read: " + error.message());
-        break;
-      }
-      const fs::path& path = at->path();
-      std::error_code ignored;
-      if (at->is_directory(ignored)) {
-        if (path == m_out || path.filename().string().starts_with("."))
-          at.disable_recursion_pending();
-        if (::access(path.c_str(), R_OK | X_OK) != 0) {
-          m_scan.warnings.push_back("the folder '" + path.string() + "' cannot be read");
-          at.disable_recursion_pending();
-        }
-      } else if (at->is_regular_file(ignored) &&
-                 (has_extension(path, ".pov") || has_extension(path, ".inc")) &&
-                 may_follow(*at, root)) {
-        if (has_extension(path, ".pov")) scenes.push_back(path);
-        for (const std::string& name : look_at(beginning(path, root)).includes) {
-          if (has_extension(name, ".pov"))
-            included.emplace((path.parent_path() / name).lexically_normal(), path);
-        }
-      }
-    }
-    for (const fs::path& scene : scenes) {
-      const auto by = included.find(scene);
-      const bool is_part = by != included.end() && !look_at(beginning(scene, root)).has_camera;
+    Found found;
+    walk(root, root, found);
+    for (const fs::path& scene : found.scenes) {
+      const auto by = found.included.find(scene);
+      const bool is_part =
+          by != found.included.end() && !look_at(beginning(scene, root)).has_camera;
       add_scene(scene, scene.lexically_relative(root).replace_extension().string(),
                 is_part ? by->second.lexically_relative(root).string() : "");
     }
+  }
+
+  /// One that cannot be read, or is gone meanwhile, leaves the others as they are.
+  void walk(const fs::path& folder, const fs::path& root, Found& found) {
+    std::error_code error;
+    for (fs::directory_iterator at(folder, error), end; !error && at != end; at.increment(error)) {
+      const fs::path& path = at->path();
+      std::error_code ignored;
+      if (at->is_directory(ignored)) {
+        const bool is_asked = path != m_out && !path.filename().string().starts_with(".");
+        if (is_asked && !at->is_symlink(ignored)) walk(path, root, found);
+      } else if (at->is_regular_file(ignored) &&
+                 (has_extension(path, ".pov") || has_extension(path, ".inc")) &&
+                 may_follow(*at, root)) {
+        if (has_extension(path, ".pov")) found.scenes.push_back(path);
+        for (const std::string& name : look_at(beginning(path, root)).includes) {
+          if (has_extension(name, ".pov"))
+            found.included.emplace((path.parent_path() / name).lexically_normal(), path);
+        }
+      }
+    }
+    if (error)
+      m_scan.warnings.push_back("the folder '" + folder.string() +
+                                "' cannot be read: " + error.message());
   }
 
   /// A long mesh or array is not looked through: cameras and includes stand before it, or behind in a file of its own.

@@ -50,6 +50,7 @@ class Attempt:
     cwd: str = "strangers"
     is_refused: bool = False  # that it succeeds is an escape
     swaps: tuple = ()  # a name in strangers, and what it is in turn
+    longest: float = 0.0005  # seconds that it is each of them, at most
     before: object = None  # called with the ground once the files are there
     path: str = ""  # a folder of programs that go first
     are_reads_told: bool = True  # a hard link of the stranger's is read like any file there
@@ -156,7 +157,7 @@ class Ground:
         env = dict(os.environ, HOME=str(self.root / "home"), POVINI="", TMPDIR=str(self.root / "here"))
         if attempt.path:
             env["PATH"] = f"{self.root / attempt.path}:{env['PATH']}"
-        swapping = Swaps(self.root / "strangers", attempt.swaps) if attempt.swaps else None
+        swapping = Swaps(self.root / "strangers", attempt.swaps, attempt.longest) if attempt.swaps else None
         try:
             done = subprocess.run(self.command(attempt), cwd=self.root / attempt.cwd, stdin=subprocess.DEVNULL, capture_output=True,
                                   env=env, timeout=LONGEST, check=False)
@@ -201,17 +202,17 @@ class Ground:
 
 
 class Swaps(threading.Thread):
-    """Exchanges what a name means as quickly as it can."""
+    """Exchanges what a name means, quickly."""
 
-    def __init__(self, folder, swaps):
+    def __init__(self, folder, swaps, longest):
         super().__init__(daemon=True)
-        self.folder, self.swaps, self.goes_on = folder, swaps, True
+        self.folder, self.swaps, self.longest, self.goes_on = folder, swaps, longest, True
         self.start()
 
     def run(self):
         name, states = self.swaps
         spare = self.folder / (name + ".next")
-        chance = random.Random(1)
+        chance = random.Random()
         while self.goes_on:
             for state in states:
                 try:
@@ -220,7 +221,7 @@ class Swaps(threading.Thread):
                         self.exchange(spare, self.folder / name)
                 except OSError:
                     continue
-                time.sleep(chance.uniform(0, 0.0005))
+                time.sleep(chance.uniform(0, self.longest))
 
     def make(self, place, state):
         if state is None:

@@ -149,7 +149,8 @@ def races():
         yield Attempt("scene that is a link", f"race {turn}", "lentray-batch", ["../strangers", "--out", "out", "+W8", "+H6", "--quiet"],
                       {f"strangers/s{i}.pov": SCENE for i in range(3)}, "here", swaps=("b.pov", (SCENE, Link("../victim/secret.pov"))))
         yield Attempt("folder that is a link", f"race {turn}", "lentray-batch", ["../strangers", "--out", "out", "+W8", "+H6", "--quiet"],
-                      {f"strangers/s{i}.pov": SCENE for i in range(3)}, "here", swaps=("f", ({"a.pov": SCENE}, Link("../victim"))))
+                      {f"strangers/s{i}.pov": SCENE for i in range(3)}, "here", swaps=("f", ({"a.pov": SCENE}, Link("../victim"))),
+                      longest=0.02)
         beside = ("a.ini", ("Quality=5\n", Link("../victim/more.ini")))
         yield Attempt("options of INI files", f"race {turn}", "lentray", [ON, "+Ia.pov", *SMALL, "--scene-ini", "a.ini"], swaps=beside)
         yield Attempt("options of INI files", f"race {turn}", "lentray-diff", ["a.pov", "--no-pictures", "+W8", "+H6", ON, "--scene-ini", "a.ini"],

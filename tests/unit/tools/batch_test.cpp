@@ -157,6 +157,21 @@ TEST_F(UnitBatch, FoldersOfAScene) {
   EXPECT_TRUE(folders_of({m_folder / "i", m_folder / "in/sub/b.pov"}, scene).empty());
 }
 
+/// Links on the way to an input are the user's; what lies below it may be a stranger's.
+TEST_F(UnitBatch, WhatLiesInTheInputs) {
+  put("in/sub/a.pov", kCamera);
+  put("out/b.pov", kCamera);
+  fs::create_directory_symlink(m_folder / "in", m_folder / "link");
+  fs::create_directory_symlink(m_folder / "out", m_folder / "in/away");
+  const fs::path sub = fs::canonical(m_folder / "in/sub");
+  EXPECT_TRUE(lies_in({m_folder / "in/"}, sub));
+  EXPECT_TRUE(lies_in({m_folder / "link"}, sub));
+  EXPECT_TRUE(lies_in({m_folder / "in/sub/a.pov"}, sub));
+  EXPECT_FALSE(lies_in({m_folder / "in/sub"}, fs::canonical(m_folder / "in")));
+  EXPECT_FALSE(lies_in({m_folder / "in"}, fs::canonical(m_folder / "in/away")));
+  EXPECT_FALSE(lies_in({m_folder / "gone"}, sub));
+}
+
 /// Scenes are strangers' unless the command line says that they are not.
 TEST_F(UnitBatch, RestrictsUntilTheCommandLineSaysOff) {
   put("in/a.pov", kCamera);
