@@ -193,13 +193,13 @@ Scan find_scenes(const std::vector<fs::path>& inputs, const ScanOptions& options
 bool lies_in(const std::vector<fs::path>& inputs, const fs::path& place) {
   return std::ranges::any_of(inputs, [&](const fs::path& input) {
     const fs::path named = whole(input);
-    std::error_code error;
-    const bool is_folder = fs::is_directory(named, error);
-    for (const fs::path& of : {named, is_folder ? named : named.parent_path()}) {
+    std::vector<fs::path> places{named};
+    if (fs::is_regular_file(named, core::ignored_error())) places.push_back(named.parent_path());
+    return std::ranges::any_of(places, [&](const fs::path& of) {
+      std::error_code error;
       const fs::path real = fs::canonical(of, error);
-      if (!error && is_within(place, real)) return true;
-    }
-    return false;
+      return !error && is_within(place, real);
+    });
   });
 }
 
