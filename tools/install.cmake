@@ -5,7 +5,8 @@ include(GNUInstallDirs)
 
 set(LENTRAY_MODULES lib/lentray)  # a folder of the package's own: no multiarch
 # Programs of the build tree find the module beside themselves, installed ones along this path.
-set_target_properties(${LENTRAY_PROGRAMS} PROPERTIES INSTALL_RPATH "$ORIGIN/../${LENTRAY_MODULES}")
+# CMake pads a path of the build tree with colons, and an empty part of it is the current folder: a scene's.
+set_target_properties(${LENTRAY_PROGRAMS} PROPERTIES INSTALL_RPATH "$ORIGIN/../${LENTRAY_MODULES}" BUILD_WITH_INSTALL_RPATH ON)
 install(TARGETS ${LENTRAY_PROGRAMS} RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
 install(TARGETS lentray_openimageio LIBRARY DESTINATION ${LENTRAY_MODULES})
 

@@ -43,8 +43,8 @@ std::string_view near_option(std::string_view name) {
 class OptionsReader {
  public:
   /// `users`: what the user's own words say; null: these are read, and INI files of scenes are not.
-  OptionsReader(RenderOptions& options, const RenderOptions* users)
-      : m_options(options), m_users(users) {}
+  OptionsReader(RenderOptions& options, const RenderOptions* users, bool trusts_scene_folder)
+      : m_options(options), m_users(users), m_trusts_scene_folder(trusts_scene_folder) {}
 
   void scene_file(const std::string& path) {
     if (m_users == nullptr) return;
@@ -167,7 +167,8 @@ class OptionsReader {
     const Descriptor held = look_at(path);
     const fs::path place = real_path(held);
     std::vector<std::string> folders = m_users->permitted_paths;
-    folders.push_back(m_options.scene_ini_folder.empty() ? "." : m_options.scene_ini_folder);
+    if (m_trusts_scene_folder)
+      folders.push_back(m_options.scene_ini_folder.empty() ? "." : m_options.scene_ini_folder);
     const auto holds = [&](const std::string& name) {
       std::error_code no_folder;
       const fs::path folder = fs::canonical(name, no_folder);
@@ -206,6 +207,7 @@ class OptionsReader {
 
   RenderOptions& m_options;
   const RenderOptions* const m_users;
+  const bool m_trusts_scene_folder;
 };
 
 /// The file that `--name FILE` or `--name=FILE` gives.
@@ -320,9 +322,9 @@ bool is_scene_ini(const std::string& text) {
 
 /// `users`: null: the user's own words alone.
 RenderOptions read_words(const std::string& default_ini, std::span<const std::string> arguments,
-                         const RenderOptions* users) {
+                         const RenderOptions* users = nullptr, bool trusts_scene_folder = true) {
   RenderOptions options;
-  OptionsReader reader(options, users);
+  OptionsReader reader(options, users, trusts_scene_folder);
   if (!default_ini.empty()) {
     GivenOption given;
     given.from_defaults = true;
@@ -383,7 +385,7 @@ std::string first_ini(std::span<const std::string> names) {
 /// is opened.
 bool restricts(std::span<const std::string> arguments) {
   try {
-    return read_words("", arguments, nullptr).restrict_io;
+    return read_words("", arguments).restrict_io;
   } catch (const OptionError&) {
     return false;  // told when all is read
   }
@@ -395,13 +397,14 @@ RenderOptions read_all(std::span<const std::string> arguments, const OptionSourc
   const std::vector<std::string>& inis = sources.default_ini_files;
   std::string ini = first_ini(inis);
   // The folder's may have come with the scene, and could name folders, files and commands.
-  const bool is_left_out = ini == kFolderIni && (restricts(arguments) ||
-                                                 read_words(ini, arguments, nullptr).restrict_io);
+  const bool is_left_out =
+      ini == kFolderIni && (restricts(arguments) || read_words(ini, arguments).restrict_io);
   if (is_left_out) ini = first_ini({std::ranges::find(inis, kFolderIni) + 1, inis.end()});
-  RenderOptions users = read_words(ini, arguments, nullptr);
+  RenderOptions users = read_words(ini, arguments);
   users.restrict_io = users.restrict_io || is_left_out;
-  RenderOptions options =
-      std::ranges::any_of(arguments, is_scene_ini) ? read_words(ini, arguments, &users) : users;
+  RenderOptions options = std::ranges::any_of(arguments, is_scene_ini)
+                              ? read_words(ini, arguments, &users, sources.trusts_scene_folder)
+                              : users;
   options.restrict_io = users.restrict_io;
   options.users_libraries = users.library_paths;
   if (is_left_out) {

@@ -107,6 +107,21 @@ def outputs(place, binaries):
         expect(status == 0 and (world.root / "out/touched").exists() == ("commands of INI files" in said), "commands", status, said)
 
 
+def libraries(place, binaries):
+    """A stranger's folder may hold files that are called as libraries are: none is loaded."""
+    names = re.findall(r"(\S+\.so\S*) =>", subprocess.run(["ldd", binaries / "lentray"], capture_output=True, text=True, check=True).stdout)
+    expect(len(names) >= 8, "libraries", names)
+    with tempfile.TemporaryDirectory(dir=place) as root:
+        world = World(root, binaries, None)
+        for name in [*names, "lentray_openimageio.so"]:
+            (world.root / "work" / name).write_text("no library")
+        for program in sorted(p.name for p in binaries.glob("lentray*") if p.suffix == ""):
+            status, said = world.run(program, "--version", cwd="work")
+            expect(status == 0, program, "loads libraries of the current folder:", status, said)
+        status, said = world.run("lentray", "+Iplain.pov", "-V", "+W8", "+H6", "+Oa.tif", cwd="work")
+        expect(status == 0, "a picture by OpenImageIO", status, said)
+
+
 def cost(place, binaries):
     """Milliseconds of processor time that a start takes with and without, the medians."""
     with tempfile.TemporaryDirectory(dir=place) as root:
@@ -133,6 +148,7 @@ def main():
                 return 77
         attempts(place, binaries, library)
         outputs(place, binaries)
+        libraries(place, binaries)
         cost(place, binaries)
     return verdict("the sandbox holds")
 

@@ -76,15 +76,16 @@ bool tells_of_no_room(const std::string& reason) {
 
 json read_json(const fs::path& path) { return tool::json_if_any(tool::file_bytes(path)); }
 
-/// The batch's options, what the scene may read, and then the scene's own.
-std::vector<std::string> options_in_words(const Plan& plan, const Scene& scene) {
+/// The batch's options, what the scene may read, and then the scene's own, whose INI file is called so.
+std::vector<std::string> options_in_words(const Plan& plan, const Scene& scene,
+                                          const fs::path& ini) {
   std::vector<std::string> words = plan.arguments.for_lentray;
   if (plan.arguments.restricts) {
     for (const fs::path& folder : folders_of(plan.arguments.inputs, scene.source))
       words.push_back("Permitted_Path=" + (folder / "").string());
   }
   if (plan.arguments.scene_ini && !scene.ini.empty())
-    tool::append(words, {"--scene-ini", scene.ini.string()});
+    tool::append(words, {"--scene-ini", ini.string()});
   return words;
 }
 
@@ -106,16 +107,19 @@ std::string word_of(const Scene& scene) {
 void enter_folder(tool::Launch& launch, const Plan& plan, const Scene& scene) {
   const fs::path folder = scene.source.parent_path();
   auto held = std::make_shared<const parser::Descriptor>(parser::look_at(folder.string()));
-  if (*held && plan.arguments.restricts &&
-      !lies_in(plan.arguments.inputs, parser::real_path(*held)))
+  if (!*held)
+    throw std::runtime_error("cannot enter '" + folder.string() + "': " + std::strerror(errno));
+  if (plan.arguments.restricts && !lies_in(plan.arguments.inputs, parser::real_path(*held)))
     throw std::runtime_error("Restrict_IO: '" + folder.string() +
                              "' leads out of the folders of this batch");
-  launch.folder = *held ? fs::path(parser::handle_of(*held)) : folder;
+  launch.folder = parser::handle_of(*held);
   launch.held = std::move(held);
 }
 
 parser::RenderOptions options_of(const Plan& plan, const Scene& scene) {
-  return parser::read_options(options_in_words(plan, scene), {});
+  parser::OptionSources sources;
+  sources.trusts_scene_folder = false;  // its name may mean another one a moment later
+  return parser::read_options(options_in_words(plan, scene, scene.ini), sources);
 }
 
 Row row_without_job(const Plan&, const Scene& scene, State state, const std::string& reason) {
@@ -332,7 +336,8 @@ bool Job::is_view_after(const Job& earlier) const {
 }
 
 std::vector<std::string> Job::words(const Job* last) const {
-  std::vector<std::string> words = options_in_words(m_plan, m_scene);
+  std::vector<std::string> words =
+      options_in_words(m_plan, m_scene, fs::path(m_scene.ini).filename());
   if (m_frame) {
     const Job& end = last != nullptr ? *last : *this;
     tool::append(words, {"+SF" + std::to_string(m_frame->clock.frame_number),

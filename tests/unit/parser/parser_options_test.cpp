@@ -447,6 +447,9 @@ TEST_F(UnitParserOptions, RestrictIoLeavesTheFoldersIniAlone) {
       << "named, it is the user's";
   write("povray.ini", "Width=33\nRestrict_IO=On\n");
   EXPECT_TRUE(read({}, sources).restrict_io);
+  write("povray.ini", "Include_Ini=nowhere.ini\n");
+  EXPECT_EQ(read({"Restrict_IO=On"}, sources).height, 44) << "it is not even opened";
+  EXPECT_THROW(read({}, sources), OptionError);
 }
 
 TEST_F(ErrorParserOptions, IniMessagesNameFileAndLine) {

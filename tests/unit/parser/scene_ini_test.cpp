@@ -171,6 +171,20 @@ TEST(UnitSceneIni, OutsideIniFilesAreNotRead) {
   EXPECT_EQ(scene.read("Include_Ini=" + other + "\n", permits).width, 77);
 }
 
+/// Who judges folders himself trusts no name of one, which may mean another a moment later.
+TEST(UnitSceneIni, OnlyPermittedFoldersWhereTheScenesIsNotTrusted) {
+  const SceneIni scene;
+  const std::string ini = (scene.folder() / "a.ini").string();
+  EXPECT_EQ(scene.read("Quality=5\n", {"Restrict_IO=On"}).quality, 5);
+  OptionSources sources{{}, {}};
+  sources.trusts_scene_folder = false;
+  const std::vector<std::string> words{"Restrict_IO=On", "--scene-ini", ini};
+  EXPECT_THROW(read_options(words, sources), OptionError);
+  std::vector<std::string> more = words;
+  more.push_back("Permitted_Path=" + scene.folder().string());
+  EXPECT_EQ(read_options(more, sources).quality, 5);
+}
+
 /// The number of a file that the run made and that is gone becomes that of another, which it reads.
 TEST(UnitRunFiles, NumbersOfFilesThatAreGoneMeanNothing) {
   const tool::TemporaryFolder folder;
