@@ -117,7 +117,7 @@ def libraries(place, binaries):
             (world.root / "work" / name).write_text("no library")
         for program in sorted(p.name for p in binaries.glob("lentray*") if p.suffix == ""):
             status, said = world.run(program, "--version", cwd="work")
-            expect(status == 0, program, "loads libraries of the current folder:", status, said)
+            expect(status != 127, program, "loads libraries of the current folder:", said)
         status, said = world.run("lentray", "+Iplain.pov", "-V", "+W8", "+H6", "+Oa.tif", cwd="work")
         expect(status == 0, "a picture by OpenImageIO", status, said)
 
