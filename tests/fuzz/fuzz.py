@@ -6,7 +6,8 @@
 
 Kinds, all unless told: scene (the parser), picture (image files), data (fonts and density files), ini (options), manifest (rows
 of a batch), journal (what +C and +RFI read). An hour each unless told, in pieces of five minutes, one kind after another. The
-same command goes on where the last one was stopped: build/fuzz has the corpus and the hours of each kind.
+same command goes on where the last one was stopped: build/fuzz has the corpus and the hours of each kind. Several may run at a
+time, with other kinds each.
 
 Builds preset fuzz (clang) and makes the seeds. Time is the processor's: neither what counts as too long nor what is reached
 depends on what else the machine does. Memory is limited to 1 GiB as with Max_Memory; more than 2 GiB at a time, 3 GiB with what
@@ -87,14 +88,15 @@ def add(total, notes, coverage):
 
 def fuzz(kind, seconds, piece):
     """A piece, unless there were enough of them. Whether more is to be done."""
-    all_hours = hours()
-    total = all_hours.setdefault(kind, {})
+    total = hours().get(kind, {})
     left = seconds - total.get("seconds", 0)
     if left <= 0:
         return False
     before = faults(kind)
     leaks = total.get("seconds", 0) // piece % LEAKS == 0
     notes, coverage = run_piece(kind, min(piece, left), leaks)
+    all_hours = hours()  # anew: other kinds may have gone on meanwhile
+    total = all_hours.setdefault(kind, {})
     add(total, notes, coverage)
     keep(all_hours)
     new = faults(kind) - before
