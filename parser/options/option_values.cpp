@@ -164,8 +164,9 @@ std::string_view near_name(std::string_view written, std::span<const std::string
   std::string_view best;
   std::size_t fewest = std::max<std::size_t>(1, written.size() / 4) + 1;
   for (const std::string_view name : names) {
-    const auto [shorter, longer] = std::minmax(written.size(), name.size());
-    if (longer - shorter >= fewest) continue;  // so many letters are missing at least
+    const std::size_t shorter = std::min(written.size(), name.size());
+    // So many letters are missing at least.
+    if (std::max(written.size(), name.size()) - shorter >= fewest) continue;
     const std::size_t n = slips(written, name);
     if (n >= fewest) continue;
     fewest = n;
