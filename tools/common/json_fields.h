@@ -12,6 +12,7 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <type_traits>
+#include <utility>
 
 namespace lentray::tool {
 
@@ -22,6 +23,40 @@ concept Of = std::same_as<std::remove_const_t<T>, Struct>;
 template <class T>
 void put(nlohmann::json& out, const char* name, const T& value) {
   if (value != T{}) out[name] = value;
+}
+
+/// A number as it is in T. nlohmann::json's own conversion of a fraction is undefined where T does not hold it.
+template <std::integral T>
+T whole_of(const nlohmann::json& from) {
+  using nlohmann::json;
+  if (from.is_number_float()) {
+    const double value = from.get<double>();
+    constexpr double kEnd = 2.0 * static_cast<double>(std::numeric_limits<T>::max() / 2 + 1);
+    constexpr double kFirst = static_cast<double>(std::numeric_limits<T>::min());
+    if (value >= kFirst && value < kEnd) return static_cast<T>(value);
+  } else if (from.is_number_unsigned()) {
+    if (std::in_range<T>(from.get<std::uint64_t>())) return from.get<T>();
+  } else if (!from.is_number_integer() || std::in_range<T>(from.get<std::int64_t>())) {
+    return from.get<T>();
+  }
+  throw json::out_of_range::create(406, from.dump() + " is out of range", &from);
+}
+
+template <class T>
+concept Whole = std::integral<T> && !std::same_as<T, bool>;
+
+template <class T>
+T value_of(const nlohmann::json& from) {
+  if constexpr (Whole<T>) {
+    return whole_of<T>(from);
+  } else if constexpr (requires { requires Whole<typename T::mapped_type>; }) {
+    T out;
+    for (const auto& [name, value] : from.items())
+      out[name] = whole_of<typename T::mapped_type>(value);
+    return out;
+  } else {
+    return from.get<T>();
+  }
 }
 
 class JsonWriter {
@@ -55,7 +90,7 @@ class JsonReader {
     if constexpr (std::is_same_v<T, double>) {
       if (there.is_null()) return void(value = std::numeric_limits<double>::infinity());
     }
-    value = there.template get<T>();
+    value = value_of<T>(there);
   }
   template <class T>
   void always(const char* name, T& value) {
@@ -98,7 +133,7 @@ struct nlohmann::adl_serializer<std::optional<T>, void> {
     if (from.is_null()) {
       value.reset();
     } else {
-      value = from.get<T>();
+      value = lentray::tool::value_of<T>(from);
     }
   }
 };

@@ -16,6 +16,7 @@
 #include "parser/options/said_options.h"
 #include "tools/common/companion.h"
 #include "tools/common/duration.h"
+#include "tools/common/json_fields.h"
 #include "tools/common/json_text.h"
 #include "tools/common/messages.h"
 #include "tools/common/process.h"
@@ -509,7 +510,8 @@ void Job::read_dependencies(std::int64_t since) {
     return (folder / path).lexically_normal().string();
   };
   for (const auto& [path, sum] : read.at("read").items()) {
-    m_row.files[absolute(path)] = stamp_read(absolute(path), sum.get<std::uint64_t>(), since);
+    m_row.files[absolute(path)] =
+        stamp_read(absolute(path), tool::whole_of<std::uint64_t>(sum), since);
   }
   for (const json& path : read.at("missing"))
     m_row.missing.push_back(absolute(path.get<std::string>()));
@@ -522,8 +524,8 @@ void Job::read_statistics() {
   m_row.bytes = fs::file_size(picture_path(), core::ignored_error());
   const json all = read_json(run_file("statistics"));
   if (!all.is_object()) return;
-  all.at("image").at("width").get_to(m_row.width);
-  all.at("image").at("height").get_to(m_row.height);
+  m_row.width = tool::whole_of<std::uint32_t>(all.at("image").at("width"));
+  m_row.height = tool::whole_of<std::uint32_t>(all.at("image").at("height"));
   const json& time = all.at("time");
   time.at("parse_cpu_s").get_to(m_row.reading);
   time.at("compile_cpu_s").get_to(m_row.building);

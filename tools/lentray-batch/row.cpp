@@ -47,8 +47,8 @@ static void to_json(json& out, const FileStamp& stamp) {
   out = {stamp.size, stamp.modified, stamp.sum};
 }
 static void from_json(const json& from, FileStamp& stamp) {
-  stamp = {from.at(0).get<std::uint64_t>(), from.at(1).get<std::int64_t>(),
-           from.at(2).get<std::uint64_t>()};
+  stamp = {tool::whole_of<std::uint64_t>(from.at(0)), tool::whole_of<std::int64_t>(from.at(1)),
+           tool::whole_of<std::uint64_t>(from.at(2))};
 }
 
 static void json_members(auto& io, tool::Of<Verdict> auto& v) {

@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
+#include "tools/common/json_fields.h"
 #include "tools/common/json_text.h"
 #include "tools/common/process.h"
 #include "tools/lentray-chart/errors.h"
@@ -22,7 +23,7 @@ FilesRead files_in(const fs::path& dependencies) {
     return fs::absolute(path).lexically_normal().string();
   };
   for (const auto& [path, sum] : all.at("read").items()) {
-    files.read[absolute(path)] = sum.get<std::uint64_t>();
+    files.read[absolute(path)] = tool::whole_of<std::uint64_t>(sum);
   }
   for (const json& path : all.at("missing")) {
     files.missing.push_back(absolute(path.get<std::string>()));

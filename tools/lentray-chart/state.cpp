@@ -25,7 +25,7 @@ static void from_json(const json& from, Kind& kind) {
 
 static void to_json(json& out, State state) { out = static_cast<int>(state); }
 static void from_json(const json& from, State& state) {
-  const int number = from.get<int>();
+  const int number = tool::whole_of<int>(from);
   if (number < 0 || number > static_cast<int>(State::failed)) throw std::runtime_error("bad state");
   state = static_cast<State>(number);
 }

@@ -7,6 +7,7 @@
 #include <string>
 
 #include "core/numeric/lens_columns.h"
+#include "tools/common/json_fields.h"
 
 namespace lentray::diff {
 
@@ -129,8 +130,8 @@ std::optional<Sheet> sheet_of(const json& statistics) {
   // A view alone is as wide as it has lenses; the sheet is still the whole one.
   s.columns = lens.contains("view")
                   ? static_cast<std::uint32_t>(std::lround(number(lens, "lenses") * s.pixels))
-                  : image.at("width").get<std::uint32_t>();
-  s.rows = image.at("height").get<std::uint32_t>();
+                  : tool::whole_of<std::uint32_t>(image.at("width"));
+  s.rows = tool::whole_of<std::uint32_t>(image.at("height"));
   if (std::abs(dot(s.right, s.direction)) > 1e-9 || std::abs(dot(s.up, s.direction)) > 1e-9) {
     throw std::runtime_error("\"lens.direction\" is not perpendicular to the sheet");
   }
