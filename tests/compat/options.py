@@ -409,6 +409,7 @@ KNOWN = {
     "Buffer_Size=100": "read and ignored, as older versions' option; stock refuses it",
     "scene": "the scene without its extension; stock looks for an INI file only",
     "-h": "refused, as a height without a number; stock prints its help",
+    "+RFO": "no file of a scene without radiosity; stock leaves an empty one",
     "Declare=Red=0.2 Declare=Red=0.7": "the last one holds; stock keeps the first",
 }
 
