@@ -381,8 +381,8 @@ std::string first_ini(std::span<const std::string> names) {
   return found == names.end() ? "" : *found;
 }
 
-/// Whether the command line restricts without what INI files of defaults say: then none of those that may be a stranger's
-/// is opened.
+/// Whether the command line restricts whatever INI files of defaults say. Of those, the one that may
+/// be a stranger's is then not opened.
 bool restricts(std::span<const std::string> arguments) {
   try {
     return read_words("", arguments).restrict_io;

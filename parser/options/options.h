@@ -163,8 +163,8 @@ struct OptionSources {
   std::vector<std::string> standard_libraries;
   /// Lens sheets of users (parser/options/lens_sheets.h).
   std::vector<std::string> lens_sheet_files = installed_lens_sheet_files();
-  /// With Restrict_IO=On: INI files that came with a scene may lie in the folder of the one that is named, not only in those of
-  /// Permitted_Path.
+  /// With Restrict_IO=On: INI files that came with a scene may lie in the folder of the one that is
+  /// named, not only in those of Permitted_Path.
   bool trusts_scene_folder = true;
 };
 
