@@ -31,7 +31,7 @@ NICE = 15          # of runs
 BUILD_NICE = 10
 LONGEST_WAIT = 900  # seconds of the clock: an input that waits for something takes no processor time
 MOST_FAULTS = 5    # of a kind in one run of this program
-LEAKS = 8          # each so-manieth piece looks for leaks too, which makes some kinds five times slower
+LEAKS = 8          # one piece in so many looks for leaks too, which makes some kinds five times slower
 OPTIONS = [f"-timeout={LONGEST_WAIT}", f"-report_slow_units={LONGEST_WAIT}", "-rss_limit_mb=3072", "-malloc_limit_mb=2048",
            "-max_len=40000", "-len_control=0", "-print_final_stats=1"]
 

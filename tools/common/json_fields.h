@@ -25,8 +25,11 @@ void put(nlohmann::json& out, const char* name, const T& value) {
   if (value != T{}) out[name] = value;
 }
 
+template <class T>
+concept Whole = std::integral<T> && !std::same_as<T, bool>;
+
 /// A number as it is in T. nlohmann::json's own conversion of a fraction is undefined where T does not hold it.
-template <std::integral T>
+template <Whole T>
 T whole_of(const nlohmann::json& from) {
   using nlohmann::json;
   if (from.is_number_float()) {
@@ -42,9 +45,7 @@ T whole_of(const nlohmann::json& from) {
   throw json::out_of_range::create(406, from.dump() + " is out of range", &from);
 }
 
-template <class T>
-concept Whole = std::integral<T> && !std::same_as<T, bool>;
-
+/// The same of a member of a struct, be it a number, a map of them or anything else.
 template <class T>
 T value_of(const nlohmann::json& from) {
   if constexpr (Whole<T>) {
