@@ -10,6 +10,7 @@
 #include <string_view>
 #include <vector>
 
+#include "camera/composition.h"
 #include "camera/lens_request.h"
 #include "camera/lenticular.h"
 #include "camera/projection.h"
@@ -28,7 +29,9 @@ struct SheetStand {
 struct Sheet {
   std::unique_ptr<Lenticular> camera;
   std::vector<std::string> report;
+  std::size_t scene_lines = 0;  ///< of the report, that it begins with: what is seen of the scene
   std::vector<std::string> warnings;
+  std::optional<Composition> composed{};  ///< with an eye of the scene's
   /// Where it stands from a camera, and whether its size grows with that distance (perspective); empty
   /// for `lenticular` in a scene.
   std::optional<SheetStand> stand{};
@@ -42,14 +45,18 @@ Sheet sheet_of_statement(const Projection& projection, const LensRequest& reques
 
 struct Conversion {
   LensRequest lens;
-  std::optional<double> sheet_distance;  ///< scene units along the camera's direction
+  std::optional<double> sheet_distance{};   ///< scene units along the camera's direction
+  std::string sheet_at{};                   ///< of an object: CompositionRequest::sheet_at
+  std::optional<SceneDepths> depths{};      ///< of all of an animation
+  std::uint64_t survey_rays = kSurveyRays;  ///< of a survey, where one is made
 };
 
 /// The sheet of an ordinary camera. `kind` is SDL's word: "perspective" and "orthographic" have a
 /// sheet, all others are refused by name. Perspective: the sheet stands where it is asked to, or
 /// at look_at, or at the median depth of what a coarse grid of rays meets; the eye becomes the
 /// viewing distance, so the middle view is the scene's ordinary picture. Orthographic: the sheet
-/// is the picture plane and V infinite.
+/// is the picture plane and V infinite. With DepthMode::kPrint or kScene the scene is seen by an eye of its
+/// own, and the sheet is composed (camera/composition.h); kScene without a viewing distance is the same as without it.
 Sheet sheet_of_camera(std::string_view kind, const Projection& projection,
                       const Conversion& conversion, std::uint32_t width, std::uint32_t height,
                       const SceneProbe& probe);

@@ -33,7 +33,7 @@ std::string trouble(const LensParameters& lens, double step) {
 
 /// What of the sky: it is not counted.
 std::string sky_line(const Lenticular& sheet, double budget) {
-  if (!sheet.sheet().lens().is_finite()) {
+  if (!sheet.has_near_eye()) {
     return "The background is not within the budget: it is infinitely far and moves along with the "
            "eye";
   }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "camera/composition.h"
 #include "camera/parallax.h"
 #include "camera/text.h"
 #include "core/base/bounds.h"
@@ -41,7 +42,7 @@ std::string share_text(double share) {
 
 std::string background_line(const Lenticular& sheet, double share) {
   const std::string out = "Background, " + share_text(share) + " of the picture: ";
-  if (!sheet.sheet().lens().is_finite()) {
+  if (!sheet.has_near_eye()) {
     return out + "infinitely far, so that it moves along with the eye";
   }
   return out + "parallax " + parallax_words(sheet, parallax(sheet, core::Bounds::kInf));
@@ -63,10 +64,10 @@ std::string range_text(const DepthInterval& range) {
 
 void add_ranges(const Lenticular& sheet, Lines& out) {
   const LensParameters& lens = sheet.sheet().lens();
-  const double mm = 2.0 * lens.pixels * lens.focal_length / lens.ior / lens.depth_factor;
+  const double mm = 2.0 * lens.pixels * lens.focal_length / lens.ior / sheet.depth_factor();
   out.push_back("Sharp, up to 1 pixel a view: " + range_text(depths_within(sheet, kSharpParallax)) +
-                " (2 N t/n = " + brief(mm) + " mm" + (lens.is_finite() ? ", seen from afar" : "") +
-                ")");
+                " (2 N t/n = " + brief(mm) + " mm" +
+                (sheet.has_near_eye() ? ", seen from afar" : "") + ")");
   out.push_back("Without jumps, up to " + brief(kMostParallax) +
                 " pixels a view: " + range_text(depths_within(sheet, kMostParallax)));
 }
@@ -78,35 +79,34 @@ std::string survey_line(const Lenticular& sheet, const DepthSurvey& seen) {
                        : "Found with " + std::to_string(seen.rays) + " rays of " + pixels;
 }
 
-void add_objects(const Lenticular& sheet, const DepthSurvey& seen, Lines& out) {
+/// "4.1 to 5.2 from the camera (Sheet_Distance=4.6), ".
+std::string distance_text(const std::optional<SheetStand>& stand, const SeenObject& object) {
+  if (!stand) return {};
+  const double now = stand->distance * stand->along;
+  const DistanceRange range{now + object.nearest, now + object.farthest};
+  const auto middle = balanced_distance({range, false, {}}, stand->grows);
+  return brief(range.nearest) + " to " + brief(range.farthest) +
+         " from the camera (Sheet_Distance=" + brief(middle.value_or(now) / stand->along) + "), ";
+}
+
+void add_objects(const Lenticular& sheet, const std::optional<SheetStand>& stand,
+                 const DepthSurvey& seen, Lines& out) {
   constexpr std::size_t kMost = 30;
-  Lines list;
-  std::size_t sharp = 0, more = 0;
-  double sharp_share = 0.0;
-  for (const SeenObject& object : seen.objects) {
+  if (seen.objects.empty()) return;
+  out.push_back("Objects, the nearest first:");
+  for (std::size_t i = 0; i < std::min(seen.objects.size(), kMost); ++i) {
+    const SeenObject& object = seen.objects[i];
     const double near = parallax(sheet, object.nearest), far = parallax(sheet, object.farthest);
     const double most = std::max(std::fabs(near), std::fabs(far));
-    if (most <= kSharpParallax) {
-      ++sharp;
-      sharp_share += object.share;
-    } else if (list.size() == kMost) {
-      ++more;
-    } else {
-      list.push_back("  " + object.name + ": " + steps_text(near) + " to " + steps_text(far) +
-                     " pixels a view, " + share_text(object.share) + " of the picture" +
-                     (most > kMostParallax ? "; jumps" : ""));
-    }
+    out.push_back("  " + object.name + ": " + distance_text(stand, object) + steps_text(near) +
+                  " to " + steps_text(far) + " pixels a view, " + share_text(object.share) +
+                  " of the picture" +
+                  (most > kMostParallax    ? "; jumps"
+                   : most > kSharpParallax ? "; not sharp all over"
+                                           : ""));
   }
-  const std::string rest = std::to_string(sharp) + (sharp == 1 ? " object" : " objects") + ", " +
-                           share_text(sharp_share) + " of the picture";
-  if (list.empty()) {
-    if (sharp > 0) out.push_back("No object extends beyond what is sharp: " + rest);
-    return;
-  }
-  out.push_back("Objects that are not sharp all over, the nearest first:");
-  for (std::string& line : list) out.push_back(std::move(line));
-  if (more > 0) out.push_back("  and " + std::to_string(more) + " more");
-  out.push_back("Sharp all over: " + rest);
+  if (seen.objects.size() > kMost)
+    out.push_back("  and " + std::to_string(seen.objects.size() - kMost) + " more");
 }
 
 /// "Sheet_Distance=7.5 instead of 9: the nearest point would have -0.9, the farthest 0.9 pixels a view".
@@ -117,22 +117,34 @@ std::string stand_text(const std::optional<SheetStand>& stand, const BalancedSta
     return "the camera's location moved by " + brief(balanced.moved) + " along its direction" +
            figures;
   }
-  if (balanced.distance < 0.0) {
-    return "only a sheet behind the camera, by " + brief(-balanced.distance) + figures;
-  }
   return "Sheet_Distance=" + format(balanced.distance) + " instead of " + format(stand->distance) +
          figures;
 }
 
+/// A place in the scene where less moves than where the sheet stands now.
+bool is_better(const Lenticular& sheet, const std::optional<SheetStand>& stand, double nearest,
+               double farthest, const BalancedStand& balanced) {
+  constexpr double kNoticeably = 0.95;
+  const double now =
+      std::max(std::fabs(parallax(sheet, nearest)), std::fabs(parallax(sheet, farthest)));
+  return (!stand || balanced.distance > 0.0) && balanced.farthest_step < kNoticeably * now;
+}
+
 void add_proposals(const Lenticular& sheet, const std::optional<SheetStand>& stand,
                    const DepthSurvey& seen, Lines& out) {
-  const auto all = balanced_stand(sheet, stand, seen.nearest, seen.farthest);
-  if (!all) return;
-  out.push_back("Proposed, for all that is visible: " + stand_text(stand, *all));
-  const auto most = balanced_stand(sheet, stand, seen.near_part, seen.far_part);
-  if (!most) return;
-  out.push_back("For all but the nearest and the farthest twentieth of that: " +
-                stand_text(stand, *most));
+  const auto propose = [&](const char* what, double nearest, double farthest) {
+    const auto balanced = balanced_stand(sheet, stand, nearest, farthest);
+    if (balanced && is_better(sheet, stand, nearest, farthest, *balanced))
+      out.push_back(what + stand_text(stand, *balanced));
+  };
+  propose("Proposed, for all that is visible: ", seen.nearest, seen.farthest);
+  propose("For all but the nearest and the farthest twentieth of that: ", seen.near_part,
+          seen.far_part);
+  const bool jumps =
+      seen.largest_step() > kMostParallax || (seen.background > 0.0 && sheet.has_near_eye() &&
+                                              parallax(sheet, core::Bounds::kInf) > kMostParallax);
+  if (jumps && stand)
+    out.push_back("Depth=print compresses depth until nothing jumps, the background included");
 }
 
 }  // namespace
@@ -179,13 +191,12 @@ std::vector<std::string> depth_report(const Lenticular& sheet,
     out.push_back("No point of an object is visible");
   }
   if (seen.background > 0.0) out.push_back(background_line(sheet, seen.background));
-  if (const double factor = sheet.sheet().lens().depth_factor; factor != 1.0) {
-    out.push_back("All of that with depth compressed to " + brief(100.0 * factor) +
-                  " % (Depth_Budget)");
+  if (const double factor = sheet.depth_factor(); factor != 1.0) {
+    out.push_back("All of that with depth compressed to " + brief(100.0 * factor) + " %");
   }
   add_ranges(sheet, out);
   out.push_back(survey_line(sheet, seen));
-  add_objects(sheet, seen, out);
+  add_objects(sheet, stand, seen, out);
   add_proposals(sheet, stand, seen, out);
   return out;
 }

@@ -33,7 +33,7 @@ void DepthTally::extend(const PlanPoint& point, double bend, SeenObject& object)
   constexpr std::size_t kMostPoints = 512;
   object.nearest = std::min(object.nearest, point.depth);
   object.farthest = std::max(object.farthest, point.depth);
-  const double step = parallax_at_bend(m_sheet, point.depth, bend);
+  const double step = parallax_rule(m_sheet, bend).at(point.depth / m_sheet.scale());
   m_out.least_step = std::min(m_out.least_step, step);
   m_out.most_step = std::max(m_out.most_step, step);
   m_out.nearest = std::min(m_out.nearest, point.depth);

@@ -30,6 +30,15 @@ double pixels_of_dpi(const LensParameters& lens, double dpi, std::uint32_t width
 
 }  // namespace
 
+const char* name_of(DepthMode mode) {
+  switch (mode) {
+    case DepthMode::kPrint: return "print";
+    case DepthMode::kScene: return "scene";
+    case DepthMode::kViewer: break;
+  }
+  return "viewer";
+}
+
 void LensRequest::override_by(const LensRequest& other) {
   LensData::override_by(other);
   if (other.print_lpi) {
@@ -54,6 +63,7 @@ void LensRequest::override_by(const LensRequest& other) {
   if (other.rays) rays = other.rays;
   if (other.size) size = other.size;
   if (other.depth_budget) depth_budget = other.depth_budget;
+  if (other.depth) depth = other.depth;
   if (!other.sheet_name.empty()) {
     sheet_name = other.sheet_name;
     sheet_is_nominal = other.sheet_is_nominal;
@@ -90,6 +100,8 @@ LensParameters begin(const LensRequest& asked) {
       throw CameraError("the viewing distance must not be negative", {"View_Distance"});
     }
     if (*request.view_distance > 0.0) lens.view_distance = *request.view_distance;
+  } else if (request.depth == DepthMode::kPrint) {
+    lens.view_distance = kUsualViewDistance;
   }
   lens.pixels = request.pixels.value_or(lens.pixels);
   lens.slant = request.slant.value_or(0.0);

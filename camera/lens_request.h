@@ -25,6 +25,16 @@ struct SheetSize {
   bool rows_fill_it = false;
 };
 
+/// Whose eye sees the scene through a sheet, and where the sheet stands in it. docs/depth.md.
+enum class DepthMode {
+  kPrint,  ///< the scene's; the sheet stands where it shows most, and depth is compressed until nothing jumps
+  kScene,   ///< the scene's; depth is true
+  kViewer,  ///< the viewer's; depth is true for things of the size of the print
+};
+const char* name_of(DepthMode mode);
+/// Of a viewer who is not said to be elsewhere, where prints are composed (DepthMode::kPrint), mm.
+inline constexpr double kUsualViewDistance = 400.0;
+
 /// The most parallax that a visible point may have from one view to the next.
 struct DepthBudget {
   double value = 0.0;
@@ -45,13 +55,16 @@ struct LensRequest : LensData {
   std::optional<std::uint32_t> rays;  ///< K of the thick model
   std::optional<SheetSize> size;
   std::optional<DepthBudget> depth_budget;
-  std::string sheet_name;         ///< of the lens profile that data are from; empty: none
-  bool sheet_is_nominal = false;  ///< that profile's data are computed, not measured
+  std::optional<DepthMode> depth;  ///< empty: the viewer's
+  std::string sheet_name;          ///< of the lens profile that data are from; empty: none
+  bool sheet_is_nominal = false;   ///< that profile's data are computed, not measured
 
   /// What `other` says replaces what was said here; saying a pitch replaces a pitch given as lines
   /// an inch or as that of the print too, and N replaces a print resolution. Lens data:
   /// LensData::override_by().
   void override_by(const LensRequest& other);
+  /// Data of a print were given: a size, a resolution, a measured pitch, or a sheet by its name.
+  bool has_print_data() const { return size || print_dpi || print_lpi || !sheet_name.empty(); }
 };
 
 /// With the lenses' pitch P that print_lpi stands for, if it was said: P (1 + t/(nV)) is 25.4 mm over

@@ -11,6 +11,7 @@ namespace {
 
 /// The eye's slope across the lenses.
 double across_lenses(const LensParameters& lens, const SheetPlacement& place) {
+  if (place.eye) return 0.0;
   if (lens.slant == 0.0) return place.eye_slope_x;
   return (place.eye_slope_x - place.eye_slope_y * lens.slant) * lens.slant_cosine();
 }
@@ -21,10 +22,15 @@ Lenticular::Lenticular(const LensParameters& lens, const SheetPlacement& placeme
                        std::uint32_t width, std::uint32_t height)
     : Camera("lenticular", width, height), m_sheet(lens, width, across_lenses(lens, placement)),
       m_place(placement), m_scale(placement.width / m_sheet.sheet_width()),
-      m_inverse_distance(1.0 / (lens.view_distance * m_scale)) {
+      m_inverse_distance(1.0 /
+                         (placement.eye ? placement.eye->distance : lens.view_distance * m_scale)) {
+  if (m_place.eye) {
+    m_slopes =
+        SceneSlopes(lens.view_distance, m_place.eye->distance / m_scale, m_place.eye->factor);
+  }
   if (m_place.front * m_inverse_distance > 1.0) {
     m_clamped = m_place.front * m_inverse_distance > 1.0 + 1e-9;  // more than rounding
-    m_place.front = lens.view_distance * m_scale;
+    m_place.front = eye_distance();
   }
   m_columns.reserve(width);
   for (std::uint32_t k = 0; k < width; ++k) m_columns.push_back(make_column(m_sheet.column(k)));
@@ -34,7 +40,7 @@ Lenticular::Column Lenticular::make_column(const LensColumn& c) const {
   Column out;
   out.dark = c.dark;
   out.axis = m_place.centre + m_place.right * (c.axis * m_scale);
-  out.slope = m_place.right * c.slope + m_place.normal + m_place.up * m_place.eye_slope_y;
+  out.slope = m_place.right * scene_slope(c) + m_place.normal + m_place.up * m_place.eye_slope_y;
   out.start = out.axis - out.slope * m_place.front;
   out.unit = core::normalized(out.slope);
   return out;
@@ -168,34 +174,40 @@ std::vector<std::string> Lenticular::model_report() const {
 
 Properties Lenticular::describe() const {
   const LensParameters& lens = m_sheet.lens();
-  return {{"camera", std::string("lenticular")},
-          {"lens.pitch_mm", lens.pitch},
-          {"lens.focal_length_mm", lens.focal_length},
-          {"lens.ior", lens.ior},
-          {"lens.pixels", lens.pixels},
-          {"lens.view_distance_mm", lens.is_finite() ? lens.view_distance : 0.0},
-          {"lens.model", std::string(name_of(lens.model))},
-          {"lens.paraxial_error_px", m_sheet.paraxial_error()},
-          {"lens.eye_miss_px", m_sheet.largest_eye_miss()},
-          {"lens.print_pitch_mm", lens.print_pitch()},
-          {"lens.lpi", lens.lenses_per_inch()},
-          {"lens.lenses", m_sheet.lenses()},
-          {"lens.views", static_cast<double>(m_sheet.views())},
-          {"lens.sheet_width_mm", m_sheet.sheet_width()},
-          {"lens.sheet_height_mm", sheet_height()},
-          {"lens.print_width_mm", print_width()},
-          {"lens.print_height_mm", print_height()},
-          {"lens.print_dpi_x", print_dpi_x()},
-          {"lens.print_dpi_y", print_dpi_y()},
-          {"lens.depth_factor", lens.depth_factor},
-          {"lens.scene_units_per_mm", m_scale},
-          {"lens.front", m_place.front},
-          {"lens.centre", m_place.centre},
-          {"lens.right", m_place.right * m_place.width},
-          {"lens.up", m_place.up * m_place.height},
-          {"lens.direction", m_place.normal},
-          {"lens.eye_slope", core::Vec3(m_place.eye_slope_x, m_place.eye_slope_y, 0.0)},
-          {"lens.dark_pixels", static_cast<double>(dark_pixels())}};
+  const core::Vec3 slopes(m_place.eye_slope_x, m_place.eye_slope_y, 0.0);
+  Properties out{{"camera", std::string("lenticular")},
+                 {"lens.pitch_mm", lens.pitch},
+                 {"lens.focal_length_mm", lens.focal_length},
+                 {"lens.ior", lens.ior},
+                 {"lens.pixels", lens.pixels},
+                 {"lens.view_distance_mm", lens.is_finite() ? lens.view_distance : 0.0},
+                 {"lens.model", std::string(name_of(lens.model))},
+                 {"lens.paraxial_error_px", m_sheet.paraxial_error()},
+                 {"lens.eye_miss_px", m_sheet.largest_eye_miss()},
+                 {"lens.print_pitch_mm", lens.print_pitch()},
+                 {"lens.lpi", lens.lenses_per_inch()},
+                 {"lens.lenses", m_sheet.lenses()},
+                 {"lens.views", static_cast<double>(m_sheet.views())},
+                 {"lens.sheet_width_mm", m_sheet.sheet_width()},
+                 {"lens.sheet_height_mm", sheet_height()},
+                 {"lens.print_width_mm", print_width()},
+                 {"lens.print_height_mm", print_height()},
+                 {"lens.print_dpi_x", print_dpi_x()},
+                 {"lens.print_dpi_y", print_dpi_y()},
+                 {"lens.depth_factor", depth_factor()},
+                 {"lens.scene_units_per_mm", m_scale},
+                 {"lens.front", m_place.front},
+                 {"lens.centre", m_place.centre},
+                 {"lens.right", m_place.right * m_place.width},
+                 {"lens.up", m_place.up * m_place.height},
+                 {"lens.direction", m_place.normal},
+                 {"lens.eye_slope", m_place.eye ? core::Vec3() : slopes},
+                 {"lens.dark_pixels", static_cast<double>(dark_pixels())}};
+  if (m_place.eye) {
+    out.emplace_back("lens.scene_distance", has_near_eye() ? eye_distance() : 0.0);
+    out.emplace_back("lens.scene_eye_slope", slopes);
+  }
+  return out;
 }
 
 std::int64_t view_column(double lens_pixels, std::uint32_t view, std::uint32_t views,

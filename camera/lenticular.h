@@ -4,6 +4,8 @@
 // passes through C + x_i s r + Y u (s: scene units a millimetre); it starts lens_front scene units
 // before the sheet, measured along d, so objects in front of the sheet are recorded too.
 // With a finite V the sheet has no power vertically, so there the eye's own perspective holds.
+// With an eye of the scene's (camera/scene_eye.h) V is the viewer's alone: tan t becomes the slope towards
+// that eye, and D takes the place of V in the rows.
 // Everything that depends on the column alone lies in a table.
 // Source: docs/lens/formulae.md; Snell's law (camera/lens_sheet.h).
 #pragma once
@@ -12,6 +14,7 @@
 
 #include "camera/camera_of_others.h"
 #include "camera/lens_sheet.h"
+#include "camera/scene_eye.h"
 #include "core/base/vec3.h"
 
 namespace lentray::camera {
@@ -23,10 +26,12 @@ struct SheetPlacement {
   core::Vec3 up{0.0, 1.0, 0.0};
   core::Vec3 normal{0.0, 0.0, 1.0};  ///< d, from the viewer into the display
   double width = 1.0, height = 1.0;  ///< scene units
-  /// Slopes of the line eye - sheet's middle: -e_x/V, -e_y/V for an eye whose foot is (e_x, e_y).
+  /// Slopes of the line eye - sheet's middle: -e_x/V, -e_y/V for an eye whose foot is (e_x, e_y). Of the
+  /// scene's eye, if there is one; the viewer is before the sheet's middle then.
   double eye_slope_x = 0.0, eye_slope_y = 0.0;
-  double front = 0.0;      ///< lens_front, scene units
-  double height_mm = 0.0;  ///< of the sheet; 0: as high to its width as in the scene
+  std::optional<SceneEye> eye{};  ///< empty: the viewer's own eye sees the scene
+  double front = 0.0;             ///< lens_front, scene units
+  double height_mm = 0.0;         ///< of the sheet; 0: as high to its width as in the scene
 };
 
 class Lenticular : public Camera {
@@ -47,13 +52,33 @@ class Lenticular : public Camera {
   const SheetPlacement& placement() const { return m_place; }
   /// s: scene units a millimetre.
   double scale() const { return m_scale; }
-  /// V in scene units; infinite as it may be.
+  /// How far before the sheet the eye is that sees the scene: V or D, in scene units; infinite as it may be.
   double eye_distance() const { return 1.0 / m_inverse_distance; }
+  /// Rays are not parallel.
+  bool has_near_eye() const { return m_inverse_distance != 0.0; }
+  /// The part of the true depth that is shown, near the sheet's plane.
+  double depth_factor() const {
+    return m_place.eye ? m_place.eye->factor : m_sheet.lens().depth_factor;
+  }
+  /// The way of the viewer's eye along the sheet, in mm, and that of the scene's eye, in scene units: their ratio.
+  /// With V infinite 0.
+  double eye_scale() const {
+    return m_place.eye ? m_place.eye->factor * eye_distance() / m_sheet.lens().view_distance
+                       : m_scale;
+  }
+  /// Of the column's ray, through its lens's vertex: along right, towards its eye.
+  double scene_slope(const LensColumn& c) const {
+    return m_slopes.of(c.axis, c.slope) + shift_of_slope();
+  }
   /// Height Y of a place in the image's rows, scene units from the sheet's middle.
   double row_height(double row) const { return (0.5 - row / height()) * m_place.height; }
-  /// The slope of a row's rays along up: Y/V + eye_slope_y.
+  /// The slope of a row's rays along up: Y/V + eye_slope_y, Y/D of the scene's eye.
   double rise(double row) const {
     return row_height(row) * m_inverse_distance + m_place.eye_slope_y;
+  }
+  /// The same of the light that the row sends to the viewer.
+  double viewers_rise(double row) const {
+    return m_place.eye ? row_height(row) / (m_sheet.lens().view_distance * m_scale) : rise(row);
   }
   /// The pixel that view j of `views` shows at a place of its picture of one pixel a lens.
   virtual core::PixelPlace strip_place(std::uint32_t view, std::uint32_t views,
@@ -82,8 +107,9 @@ class Lenticular : public Camera {
   bool sight_of_ray(const core::PixelPlace& place, core::Ray& out) const;
   /// What a user should know of dark pixels, of which there are some.
   virtual std::string dark_warning() const;
-  /// 1/V in scene units; 0 when V is infinite.
-  double inverse_distance() const { return m_inverse_distance; }
+  const SceneSlopes& slopes() const { return m_slopes; }
+  /// What the place of the scene's eye adds to all slopes along right.
+  double shift_of_slope() const { return m_place.eye ? m_place.eye_slope_x : 0.0; }
 
  private:
   struct Column {
@@ -100,7 +126,8 @@ class Lenticular : public Camera {
   LensSheet m_sheet;
   SheetPlacement m_place;
   double m_scale;
-  double m_inverse_distance;  ///< 1/V in scene units, 0: infinite
+  double m_inverse_distance;  ///< 1/V or 1/D in scene units, 0: infinite
+  SceneSlopes m_slopes;
   bool m_clamped = false;
   std::vector<Column> m_columns;
 };

@@ -80,7 +80,7 @@ double slope_of_view(const Lenticular& sheet, int side) {
   const LensParameters& lens = sheet.sheet().lens();
   const double outermost = lens.ior * lens.print_pitch() /
                            (2.0 * lens.focal_length * lens.slant_cosine()) *
-                           (1.0 - 1.0 / lens.pixels) * lens.depth_factor;
+                           (1.0 - 1.0 / lens.pixels) * sheet.depth_factor();
   return sheet.placement().eye_slope_x + side * outermost;
 }
 
@@ -89,8 +89,8 @@ Vec3 start_of(const Lenticular& sheet, int side, const Vec3& on_sheet) {
   const SheetPlacement& place = sheet.placement();
   const Vec3 middle =
       place.right * slope_of_view(sheet, side) + place.normal + place.up * place.eye_slope_y;
-  const double distance = sheet.sheet().lens().view_distance * sheet.scale();
-  const Vec3 tilt = std::isfinite(distance) ? (on_sheet - place.centre) / distance : Vec3{};
+  const Vec3 tilt =
+      sheet.has_near_eye() ? (on_sheet - place.centre) / sheet.eye_distance() : Vec3{};
   return on_sheet - (middle + tilt) * place.front;
 }
 
@@ -153,26 +153,29 @@ void follow_eyes(const Lenticular& sheet, const SceneProbe& probe, Collisions& o
   const Vec3 middle = start_of(sheet, 0, sheet.placement().centre);
   ObjectList met;
   std::string beyond;
+  double free = 1.0;  // of the way to the outermost eyes
   for (const int side : {-1, 1}) {
     const Vec3 end = start_of(sheet, side, sheet.placement().centre);
     const auto found = crossings(probe, middle, end);
     if (found.empty()) continue;
     for (const Crossing& c : found) met.add(c.hit);
+    free = std::min(free, found.front().along);
     const std::string views = views_beyond(sheet, side, found.front().along);
     if (!views.empty()) beyond += (beyond.empty() ? "" : ", ") + views;
   }
   if (met.empty()) return;
   const double reach = core::length(start_of(sheet, 1, sheet.placement().centre) - middle);
-  out.warnings.push_back("the eyes of the views, up to " + format(reach) +
+  out.warnings.push_back("cut: the eyes of the views, up to " + format(reach) +
                          " scene units to either side of the camera, run into an object (" +
                          met.text() + ")" +
-                         (beyond.empty() ? "" : ": seen from inside or behind it: " + beyond));
+                         (beyond.empty() ? "" : ": seen from inside or behind it: " + beyond) +
+                         "; " + brief(100.0 * free) + " % of the depth would avoid it");
 }
 
 /// Rays start in a plane: what it cuts shows its inside.
 void look_through_start(const Lenticular& sheet, const SceneProbe& probe, Collisions& out) {
   const SheetPlacement& place = sheet.placement();
-  const double distance = sheet.sheet().lens().view_distance * sheet.scale();
+  const double distance = sheet.eye_distance();
   const double shrunk = 1.0 - place.front / distance;  // 1 when V is infinite
   ObjectList met;
   for (const int side : {-1, 0, 1}) {
@@ -180,7 +183,7 @@ void look_through_start(const Lenticular& sheet, const SceneProbe& probe, Collis
                  place.up * (place.height * shrunk), [&](const Crossing& c) { met.add(c.hit); });
   }
   if (met.empty()) return;
-  out.warnings.push_back("the plane where rays start, " + format(place.front) +
+  out.warnings.push_back("cut: the plane where rays start, " + format(place.front) +
                          " scene units before the sheet (Lens_Front), cuts an object (" +
                          met.text() + "): some rays start inside or behind it");
 }
@@ -191,8 +194,9 @@ Collisions collisions_of(const Lenticular& sheet, const SceneProbe& probe) {
   Collisions out;
   if (!probe) return out;
   const SheetPlacement& place = sheet.placement();
-  const double distance = sheet.sheet().lens().view_distance * sheet.scale();
-  if (place.front > 0.0) look_through_sheet(sheet, probe, out);
+  const double distance = sheet.eye_distance();
+  // What lies in the plane of a composed sheet is there on purpose.
+  if (place.front > 0.0 && !place.eye) look_through_sheet(sheet, probe, out);
   if (std::isfinite(distance) && std::fabs(place.front - distance) <= 1e-9 * distance) {
     follow_eyes(sheet, probe, out);
   } else {

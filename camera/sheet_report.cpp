@@ -12,35 +12,6 @@ namespace {
 
 using core::Vec3;
 
-struct DepthRange {
-  double nearest = core::Bounds::kInf, farthest = -core::Bounds::kInf;
-  bool open = false;  ///< some rays meet nothing
-};
-
-/// Depths behind the sheet of what a coarse grid of the sheet's own rays meets.
-DepthRange visible_depths(const Lenticular& sheet, const SceneProbe& probe) {
-  constexpr int kAcross = 48, kDown = 36;
-  DepthRange range;
-  for (int down = 0; down < kDown; ++down) {
-    for (int across = 0; across < kAcross; ++across) {
-      core::Ray ray;
-      const double column = std::floor((across + 0.5) * sheet.width() / kAcross) + 0.5;
-      const double row = std::floor((down + 0.5) * sheet.height() / kDown) + 0.5;
-      if (!sheet.ray(column, row, ray)) continue;
-      const auto hit = probe(ray, core::Bounds::kInf);
-      if (!hit) {
-        range.open = true;
-        continue;
-      }
-      const Vec3 from_sheet = ray.at(hit->distance) - sheet.placement().centre;
-      const double depth = core::dot(from_sheet, sheet.placement().normal);
-      range.nearest = std::min(range.nearest, depth);
-      range.farthest = std::max(range.farthest, depth);
-    }
-  }
-  return range;
-}
-
 std::string parallax_text(const Lenticular& sheet, double step) {
   if (!std::isfinite(step)) return "at the eyes, which is no parallax";
   const double sweep = step * (sheet.sheet().lens().pixels - 1.0);
@@ -218,32 +189,16 @@ std::vector<std::string> missing_lines(const Lenticular& sheet, const LensReques
   if (!asked.print_dpi) add("Print_DPI (your printer's)");
   if (!asked.size) add("Sheet_Width and Sheet_Height");
   if (!asked.view_distance && sheet.sheet().lens().is_finite()) {
-    add("View_Distance (yours; this is the scene's camera's)");
+    add(asked.depth == DepthMode::kPrint ? "View_Distance (yours; 40 cm is taken)"
+                                         : "View_Distance (yours; this is the scene's camera's)");
   }
   if (list.empty()) return {};
   return {"For a print say also: " + list};
 }
 
-std::vector<std::string> depth_lines(const Lenticular& sheet, const SceneProbe& probe) {
-  const LensParameters& lens = sheet.sheet().lens();
-  const DepthRange range = visible_depths(sheet, probe);
-  std::vector<std::string> out;
-  if (range.nearest <= range.farthest) {
-    out.push_back(parallax_line(sheet, "Nearest", range.nearest));
-    out.push_back(parallax_line(sheet, "Farthest", range.farthest));
-  }
-  if (range.open) {
-    out.push_back("Background, infinitely far: " +
-                  (lens.is_finite() ? parallax_text(sheet, parallax(sheet, core::Bounds::kInf))
-                                    : std::string("it moves along with the eye")));
-  }
-  return out;
-}
-
 }  // namespace
 
-std::vector<std::string> report_of(const Lenticular& sheet, const LensRequest& asked,
-                                   const SceneProbe& probe) {
+std::vector<std::string> report_of(const Lenticular& sheet, const LensRequest& asked) {
   const LensParameters& lens = sheet.sheet().lens();
   std::vector<std::string> out;
   const auto append = [&out](std::vector<std::string> lines) {
@@ -258,9 +213,61 @@ std::vector<std::string> report_of(const Lenticular& sheet, const LensRequest& a
   if (asked.size) out.push_back(size_line(sheet, *asked.size));
   append(lens_lines(sheet, asked));
   append(viewing_lines(sheet));
-  if (probe) append(depth_lines(sheet, probe));
   append(missing_lines(sheet, asked));
   return out;
+}
+
+VisibleDepths visible_depths(const Lenticular& sheet, const SceneProbe& probe) {
+  constexpr int kAcross = 48, kDown = 36;
+  VisibleDepths range;
+  if (!probe) return range;
+  for (int down = 0; down < kDown; ++down) {
+    for (int across = 0; across < kAcross; ++across) {
+      core::Ray ray;
+      const double column = std::floor((across + 0.5) * sheet.width() / kAcross) + 0.5;
+      const double row = std::floor((down + 0.5) * sheet.height() / kDown) + 0.5;
+      if (!sheet.ray(column, row, ray)) continue;
+      const auto hit = probe(ray, core::Bounds::kInf);
+      if (!hit) {
+        range.open = true;
+        continue;
+      }
+      const Vec3 from_sheet = ray.at(hit->distance) - sheet.placement().centre;
+      const double depth = core::dot(from_sheet, sheet.placement().normal);
+      range.nearest = std::min(range.nearest, depth);
+      range.farthest = std::max(range.farthest, depth);
+    }
+  }
+  return range;
+}
+
+std::vector<std::string> depth_lines(const Lenticular& sheet, const VisibleDepths& range) {
+  std::vector<std::string> out;
+  if (range.nearest <= range.farthest) {
+    out.push_back(parallax_line(sheet, "Nearest", range.nearest));
+    out.push_back(parallax_line(sheet, "Farthest", range.farthest));
+  }
+  if (range.open) {
+    out.push_back("Background, infinitely far: " +
+                  (sheet.has_near_eye() ? parallax_text(sheet, parallax(sheet, core::Bounds::kInf))
+                                        : std::string("it moves along with the eye")));
+  }
+  return out;
+}
+
+std::vector<std::string> jump_warnings(const Lenticular& sheet, const VisibleDepths& range) {
+  double most = 0.0;
+  const auto add = [&](double depth) { most = std::max(most, std::fabs(parallax(sheet, depth))); };
+  if (range.nearest <= range.farthest) {
+    add(range.nearest);
+    add(range.farthest);
+  }
+  if (range.open && sheet.has_near_eye()) add(core::Bounds::kInf);
+  if (most <= kMostParallax) return {};
+  return {"jumps: things move by up to " + brief(most) +
+          " pixels a view, an eye sees that beyond " + brief(kMostParallax) +
+          ": Depth=print, or Depth_Budget=" + brief(kMostParallax) +
+          ", compresses depth until they do not"};
 }
 
 std::vector<std::string> viewing_warnings(const Lenticular& sheet, const LensRequest& asked) {
@@ -268,14 +275,15 @@ std::vector<std::string> viewing_warnings(const Lenticular& sheet, const LensReq
   if (!asked.view_distance || !lens.is_finite()) return {};
   const Viewing viewing = viewing_of(sheet);
   if (!are_in_zone(viewing, lens.pixels)) {
-    return {"at " + format(lens.view_distance) + " mm the zone to view the sheet from is " +
-            brief(viewing.zone) + " mm wide, less than the " + brief(kEyesApart) +
+    return {"reversed: at " + format(lens.view_distance) +
+            " mm the zone to view the sheet from is " + brief(viewing.zone) +
+            " mm wide, less than the " + brief(kEyesApart) +
             " mm between two eyes: depth is reversed; " +
             brief(lens.view_distance * kEyesApart / viewing.zone) + " mm is the least distance"};
   }
   const double view = viewing.zone / lens.pixels;
   if (std::isfinite(view) && view > kEyesApart) {
-    return {"at " + format(lens.view_distance) + " mm a view is " + brief(view) +
+    return {"flat: at " + format(lens.view_distance) + " mm a view is " + brief(view) +
             " mm wide, more than the " + brief(kEyesApart) +
             " mm between two eyes: there is little depth or none"};
   }

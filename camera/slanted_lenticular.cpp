@@ -10,6 +10,7 @@ namespace {
 
 SlantedPrint print_of(const Lenticular& sheet, double stretch) {
   const SheetPlacement& place = sheet.placement();
+  if (place.eye) return {sheet.width(), sheet.height(), sheet.sheet_height(), 0.0, 0.0};
   return {sheet.width(), sheet.height(), sheet.sheet_height(), place.eye_slope_x,
           place.eye_slope_y / stretch};
 }
@@ -40,12 +41,24 @@ bool SlantedLenticular::exit_of(const SlantedPlace& at, double row, SheetExit& o
   return m_rows.slope_across(at.lens_offset, m_rows.along(m_rows.rise(row)), out.slope);
 }
 
+double SlantedLenticular::scene_slope(const SlantedPlace& at, const SheetExit& exit,
+                                      double row) const {
+  const double light = m_rows.slope_x(exit.slope, m_rows.rise(row));
+  if (!placement().eye) return light;
+  const double height = m_rows.row_height(row);
+  SheetExit vertex;
+  const double middle =
+      exit_of(at, row, vertex) ? m_rows.slope_x(vertex.slope, m_rows.rise(row)) : light;
+  return slopes().of(m_rows.x_of(at.axis + exit.across, height), light,
+                     m_rows.x_of(at.axis, height), middle) +
+         shift_of_slope();
+}
+
 void SlantedLenticular::place_ray(const SlantedPlace& at, const SheetExit& exit, double row,
                                   core::Ray& out) const {
   const SheetPlacement& p = placement();
   const double x = m_rows.x_of(at.axis + exit.across, m_rows.row_height(row));
-  const core::Vec3 v =
-      p.right * m_rows.slope_x(exit.slope, m_rows.rise(row)) + p.normal + p.up * rise(row);
+  const core::Vec3 v = p.right * scene_slope(at, exit, row) + p.normal + p.up * rise(row);
   const double depth = exit.depth * scale();
   const core::Vec3 leaves =
       p.centre + p.right * (x * scale()) + p.normal * depth + p.up * Lenticular::row_height(row);

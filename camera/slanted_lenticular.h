@@ -49,6 +49,8 @@ class SlantedLenticular final : public Lenticular {
   /// What leaves the sheet for a place; false: nothing.
   bool exit_of(const SlantedPlace& at, double row, SheetExit& out) const;
   SlantedPlace on_print(const core::PixelPlace& place) const;
+  /// Along right, towards the eye that sees the scene.
+  double scene_slope(const SlantedPlace& at, const SheetExit& exit, double row) const;
   void place_ray(const SlantedPlace& at, const SheetExit& exit, double row, core::Ray& out) const;
   bool is_dark(std::uint32_t column, std::uint32_t row) const;
   bool may_be_dark() const;

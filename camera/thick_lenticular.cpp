@@ -24,7 +24,9 @@ LensColumn ThickLenticular::column_at(const core::PixelPlace& place) const {
 void ThickLenticular::place_ray(const LensColumn& column, const SheetExit& exit, double row,
                                 core::Ray& out) const {
   const SheetPlacement& p = placement();
-  const core::Vec3 v = p.right * exit.slope + p.normal + p.up * rise(row);
+  const double slope =
+      slopes().of(column.axis + exit.across, exit.slope, column.axis, column.slope);
+  const core::Vec3 v = p.right * (slope + shift_of_slope()) + p.normal + p.up * rise(row);
   const core::Vec3 leaves = p.centre + p.right * ((column.axis + exit.across) * scale()) +
                             p.normal * (exit.depth * scale()) + p.up * row_height(row);
   out.origin = leaves - v * (p.front + exit.depth * scale());
@@ -33,7 +35,7 @@ void ThickLenticular::place_ray(const LensColumn& column, const SheetExit& exit,
 
 bool ThickLenticular::through_vertex(const LensColumn& column, double row, core::Ray& out) const {
   SheetExit exit;
-  if (!shows(m_lens.leave_vertex(column.lens_offset, rise(row), exit))) return false;
+  if (!shows(m_lens.leave_vertex(column.lens_offset, viewers_rise(row), exit))) return false;
   place_ray(column, exit, row, out);
   return true;
 }
@@ -56,7 +58,7 @@ bool ThickLenticular::one_ray_at(const core::PixelPlace& place, std::uint32_t in
   const LensColumn column = column_at(place);
   const double row = place.row + 0.5 + place.down;
   SheetExit exit;
-  if (!shows(m_lens.leave(column.lens_offset, index, {rise(row)}, exit))) return false;
+  if (!shows(m_lens.leave(column.lens_offset, index, {viewers_rise(row)}, exit))) return false;
   place_ray(column, exit, row, out);
   return true;
 }
@@ -65,7 +67,7 @@ RayShares ThickLenticular::count_shares() const {
   constexpr std::uint64_t kMostRays = std::uint64_t{1} << 20;
   const std::uint64_t rays = std::uint64_t{sheet().width()} * m_lens.rays();
   const std::uint64_t step = rays / kMostRays + 1;  // of columns: whole sheets but for huge ones
-  const double rise_there = rise(0.5 * height());
+  const double rise_there = viewers_rise(0.5 * height());
   RayShares shares;
   std::uint64_t columns = 0;
   for (std::uint64_t k = 0; k < sheet().width(); k += step) {
@@ -79,7 +81,7 @@ RayShares ThickLenticular::count_shares() const {
 bool ThickLenticular::is_never_dark(const LensColumn& column) const {
   // The more a ray rises, the more it bends. One that leaves straight from its lens with the least
   // and with the most rise does so with all between.
-  const double first = rise(0.5), last = rise(height() - 0.5);
+  const double first = viewers_rise(0.5), last = viewers_rise(height() - 0.5);
   const double most = std::max(std::fabs(first), std::fabs(last));
   const double least = first * last <= 0.0 ? 0.0 : std::min(std::fabs(first), std::fabs(last));
   for (std::uint32_t j = 0; j < m_lens.rays(); ++j) {
@@ -97,12 +99,12 @@ std::uint64_t ThickLenticular::count_dark_pixels() const {
   for (std::uint32_t k = 0; k < sheet().width(); ++k) {
     const LensColumn& column = sheet().column(k);
     if (is_never_dark(column)) continue;
-    if (inverse_distance() == 0.0) {
-      if (m_lens.is_dark(column.lens_offset, {rise(0.5), 0.0})) dark += height();
+    if (!sheet().lens().is_finite()) {
+      if (m_lens.is_dark(column.lens_offset, {viewers_rise(0.5), 0.0})) dark += height();
       continue;
     }
     for (std::uint32_t row = 0; row < height(); ++row) {
-      if (m_lens.is_dark(column.lens_offset, {rise(row + 0.5), 0.0})) ++dark;
+      if (m_lens.is_dark(column.lens_offset, {viewers_rise(row + 0.5), 0.0})) ++dark;
     }
   }
   return dark;

@@ -36,7 +36,7 @@ ThinLens lens_of_sheet(const Lenticular& sheet, double aperture, double camera_d
   }
   const SheetPlacement& place = sheet.placement();
   const Disc disc = disc_of(place.up, place.normal, aperture);
-  const double behind = sheet.sheet().lens().is_finite() ? sheet.eye_distance() : -camera_depth;
+  const double behind = sheet.has_near_eye() ? sheet.eye_distance() : -camera_depth;
   return {disc.across, disc.down, behind, focus, behind - place.front};
 }
 

@@ -18,7 +18,7 @@ struct Slopes {
 std::vector<Slopes> slopes_of(const Lenticular& sheet, const Camera& view) {
   constexpr std::uint32_t kSide = 9;
   const SheetPlacement& place = sheet.placement();
-  const double inverse = sheet.sheet().lens().is_finite() ? 1.0 / sheet.eye_distance() : 0.0;
+  const double inverse = 1.0 / sheet.eye_distance();
   std::vector<Slopes> out;
   for (std::uint32_t i = 0; i < kSide * kSide; ++i) {
     core::PixelPlace at;
@@ -42,7 +42,7 @@ ViewCamera view_camera(const Lenticular& sheet, const Camera& view, double lense
   ViewCamera out;
   const std::vector<Slopes> all = slopes_of(sheet, view);
   out.is_dark = all.empty();
-  out.is_perspective = sheet.sheet().lens().is_finite();
+  out.is_perspective = sheet.has_near_eye();
   Slopes mean{0.0, 0.0};
   for (const Slopes& one : all) {
     mean.x += one.x / static_cast<double>(all.size());

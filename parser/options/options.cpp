@@ -314,6 +314,19 @@ void settle(RenderOptions& options) {
   }
 }
 
+/// Data of a print ask for what makes a print.
+void settle_depth(RenderOptions& o) {
+  if (o.sheet_distance && !o.sheet_at.empty()) {
+    throw OptionError(
+        with_said("Sheet_Distance and Sheet_At both say where the sheet stands: give one of them",
+                  o, {"Sheet_Distance", "Sheet_At"}));
+  }
+  const bool has_sheet = o.lenticular && (!o.views.quilt || o.views.count);
+  const bool has_print_data =
+      o.sheet_width || o.lens.print_dpi || o.lens.print_lpi || !o.lens_sheet.empty();
+  if (!o.lens.depth && has_sheet && has_print_data) o.lens.depth = camera::DepthMode::kPrint;
+}
+
 constexpr const char* kSceneIni = "--scene-ini";
 
 bool is_scene_ini(const std::string& text) {
@@ -423,6 +436,7 @@ RenderOptions read_options(std::span<const std::string> arguments, const OptionS
   RenderOptions options = read_all(arguments, sources);
   if (options.help || options.version || options.list_lens_sheets) return options;
   apply_lens_sheet(options, sources.lens_sheet_files);
+  settle_depth(options);
   fit_picture_to_sheet(options);
   return options;
 }

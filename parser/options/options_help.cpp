@@ -162,6 +162,13 @@ constexpr OptionHelp kSheet[] = {
     {"Sheet_Distance", "n",
      "From the camera to the sheet, in scene units; without it the sheet stands where the camera "
      "looks."},
+    {"Sheet_At", "object",
+     "The sheet stands where this object is seen: its name, or its place FILE:LINE:COLUMN, as "
+     "--depth lists them."},
+    {"Depth", "print|scene|viewer",
+     "Whose eye sees the scene. print: the scene's camera, the sheet where it shows most, and "
+     "depth compressed until nothing jumps; scene: the scene's camera, with its true depth; "
+     "viewer: an eye at View_Distance. print where data of a print are given, else viewer."},
     {"Depth_Budget", "n|mm",
      "The most that visible points may move from one view to the next: in pixels of a view, or "
      "with a "

@@ -551,6 +551,8 @@ constexpr OptionRow kTable[] = {
      "",
      {sheet_option::sheet_distance, write_field<&Options::sheet_distance>},
      kPicture},
+    {"Sheet_At", "", {sheet_option::sheet_at, write_field<&Options::sheet_at>}, kPicture},
+    {"Depth", "", {sheet_option::depth, sheet_option::write_depth}, kPicture},
     {"Depth_Budget", "", {sheet_option::depth_budget, sheet_option::write_depth_budget}, kPicture},
     {"Lens_Front", "", {sheet_option::front, write_field<&camera::LensRequest::front>}, kPicture},
     {"Lens_Model", "", {sheet_option::model, sheet_option::write_model}, kPicture},

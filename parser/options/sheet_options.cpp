@@ -45,6 +45,20 @@ void sheet_distance(Options& o, const Given& g) {
   o.sheet_distance = scene_length(g, "View_Distance");
 }
 
+void depth(Options& o, const Given& g) {
+  using camera::DepthMode;
+  constexpr std::string_view kThere[] = {"print", "scene", "viewer"};
+  const std::string_view name = choice(g, "kind of depth", kThere);
+  for (const DepthMode mode : {DepthMode::kPrint, DepthMode::kScene, DepthMode::kViewer})
+    if (name == camera::name_of(mode)) o.lens.depth = mode;
+}
+
+void sheet_at(Options& o, const Given& g) {
+  if (g.value.empty())
+    refuse(g, "an object's name, or its place FILE:LINE:COLUMN, is expected; --depth lists them");
+  o.sheet_at = g.value;
+}
+
 void depth_budget(Options& o, const Given& g) {
   constexpr double kMostPixels = 1e6;
   std::string_view unit;
@@ -84,6 +98,10 @@ void write_depth_budget(const Options& o, std::string_view name, IniLines& out) 
   if (!o.lens.depth_budget) return;
   const camera::DepthBudget& budget = *o.lens.depth_budget;
   out.line(name, IniLines::text_of(budget.value) + (budget.is_mm ? "mm" : ""));
+}
+
+void write_depth(const Options& o, std::string_view name, IniLines& out) {
+  if (o.lens.depth) out.line(name, camera::name_of(*o.lens.depth));
 }
 
 void write_model(const Options& o, std::string_view name, IniLines& out) {

@@ -17,6 +17,10 @@ void print_dpi(RenderOptions& o, const GivenOption& g);
 /// mm or inf.
 void view_distance(RenderOptions& o, const GivenOption& g);
 void sheet_distance(RenderOptions& o, const GivenOption& g);
+/// print, scene or viewer.
+void depth(RenderOptions& o, const GivenOption& g);
+/// The name of an object, or its place.
+void sheet_at(RenderOptions& o, const GivenOption& g);
 /// Pixels of a view, or a length on the print with its unit.
 void depth_budget(RenderOptions& o, const GivenOption& g);
 void front(RenderOptions& o, const GivenOption& g);
@@ -25,6 +29,7 @@ void model(RenderOptions& o, const GivenOption& g);
 void write_slant(const RenderOptions& o, std::string_view name, IniLines& out);
 void write_print_dpi(const RenderOptions& o, std::string_view name, IniLines& out);
 void write_depth_budget(const RenderOptions& o, std::string_view name, IniLines& out);
+void write_depth(const RenderOptions& o, std::string_view name, IniLines& out);
 void write_model(const RenderOptions& o, std::string_view name, IniLines& out);
 
 }  // namespace lentray::parser::sheet_option

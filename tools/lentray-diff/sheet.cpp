@@ -32,18 +32,23 @@ double Sheet::cell_offset(std::uint32_t view) const {
 
 std::optional<double> Sheet::slope(std::uint32_t column, const PixelOffset& place) const {
   const std::uint32_t lens = lens_of(column);
-  const double cell =
-      ((column + 0.5 + place.turn) / pixels - (lens + 0.5)) * print_pitch() * depth_factor;
-  const double along =
-      is_finite() ? axis(lens + place.across) * focal_length / (ior * view_distance) : 0.0;
+  const double x = axis(lens + place.across);
+  const double held = scene_distance ? 1.0 : depth_factor;
+  const double cell = ((column + 0.5 + place.turn) / pixels - (lens + 0.5)) * print_pitch() * held;
+  const double along = is_finite() ? x * focal_length / (ior * view_distance) : 0.0;
   const double offset = cell + along + print_shift();
-  if (paraxial) return ior * offset / focal_length;
-  const double sine = ior * std::sin(std::atan(offset / focal_length));
-  if (std::abs(sine) >= 1.0) return std::nullopt;
-  return std::tan(std::asin(sine));
+  double light = ior * offset / focal_length;
+  if (!paraxial) {
+    const double sine = ior * std::sin(std::atan(offset / focal_length));
+    if (std::abs(sine) >= 1.0) return std::nullopt;
+    light = std::tan(std::asin(sine));
+  }
+  if (!scene_distance) return light;
+  return depth_factor * (light - x / view_distance) + x * scale() / *scene_distance + eye_slope_x;
 }
 
 double Sheet::print_shift() const {
+  if (scene_distance) return 0.0;  // the viewer is before the middle
   if (is_finite() || paraxial) return eye_slope_x * focal_length / ior;
   return focal_length * std::tan(std::asin(std::sin(std::atan(eye_slope_x)) / ior));
 }
@@ -85,7 +90,7 @@ Vec3 vector(const json& lens, const char* key) {
   return {v[0].get<double>(), v[1].get<double>(), v[2].get<double>()};
 }
 
-/// The viewing distance: null and 0 stand for infinity.
+/// Of an eye: null and 0 stand for infinity.
 double distance(const json& lens, const char* key) {
   const json& value = member(lens, key);
   const double v = value.is_null() ? 0.0 : number(lens, key);
@@ -123,7 +128,9 @@ std::optional<Sheet> sheet_of(const json& statistics) {
                              ": there are ones for paraxial and pinhole");
   }
   s.paraxial = model == "paraxial";
-  if (const auto slope = lens.find("eye_slope"); slope != lens.end()) {
+  if (lens.contains("scene_distance")) s.scene_distance = distance(lens, "scene_distance");
+  const char* const eye = s.scene_distance ? "scene_eye_slope" : "eye_slope";
+  if (const auto slope = lens.find(eye); slope != lens.end()) {
     s.eye_slope_x = slope->at(0).get<double>();
     s.eye_slope_y = slope->at(1).get<double>();
   }

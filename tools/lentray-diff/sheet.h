@@ -5,6 +5,8 @@
 // Space: world. Lens data in mm, the rest in scene units. For pixel column k of lens i:
 //   o = e + x_i f/(nV) + print shift, tan t = n o/f (paraxial) or sin t = n sin atan(o/f),
 //   v = tan t r + d + (Y/V + eye_slope_y) u through C + x_i r + Y u.
+// With an eye of the scene's, D before the sheet, tan t becomes m tan t + x_i (1/D - m/V) + eye_slope_x (D in mm there), and
+// rows have D for V.
 // A place off the pixel's centre has another x_i (across), Y (down) or e (turn).
 // Errors: std::runtime_error that names a key that is missing or wrong. Immutable once made.
 #pragma once
@@ -32,11 +34,16 @@ struct Sheet {
   double front = 0.0;                                          ///< lens_front, scene units
   double pitch = 1.124, focal_length = 3.03, ior = 1.6, pixels = 15.0;
   double view_distance = 0.0;  ///< V, mm; infinite: infinity
-  double depth_factor = 1.0;   ///< of offsets in a cell, before the model asks where they look
+  /// Of offsets in a cell, before the model asks where they look; with an eye of the scene's m.
+  double depth_factor = 1.0;
+  /// D, scene units; infinite: parallel rays. Empty: the viewer's eye sees the scene.
+  std::optional<double> scene_distance{};
   bool paraxial = false;
   std::uint32_t columns = 0, rows = 0;  ///< the integral image, W x H
 
   bool is_finite() const;
+  /// Of the eye that sees the scene, from the sheet; infinite: parallel rays. Scene units.
+  double eye_distance() const { return scene_distance.value_or(view_distance * scale()); }
   bool has_views() const;  ///< N is whole
   std::uint32_t views() const;
   double lenses() const { return columns / pixels; }           ///< L, fractional if cut
@@ -45,7 +52,7 @@ struct Sheet {
   std::uint32_t lens_of(std::uint32_t column) const;
   double axis(double lens) const { return (lens + 0.5 - lenses() / 2.0) * pitch; }
   double row_height(std::uint32_t row) const { return (0.5 - (row + 0.5) / rows) * height; }
-  /// e_j of view j, mm: the same for every lens; times the depth factor.
+  /// e_j of view j, mm: the same for every lens; times the depth factor or m.
   double cell_offset(std::uint32_t view) const;
   /// What the print is moved to the side for an eye that is not before the middle, mm: f/n
   /// eye_slope_x; with V infinite, what the model sees along eye_slope_x.

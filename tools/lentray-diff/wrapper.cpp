@@ -72,9 +72,10 @@ const char* name_of(Way way) {
 
 Way best_way(const Sheet& s) {
   if (!s.has_views()) return Way::mesh_camera;
-  if (!s.is_finite()) return Way::orthographic_views;
+  const double eye = s.eye_distance();
+  if (std::isinf(eye))
+    return s.paraxial || !s.is_finite() ? Way::orthographic_views : Way::mesh_camera;
   // Stock starts at the eye: only then does it see the same things.
-  const double eye = s.view_distance * s.scale();
   const bool from_eye = std::abs(s.front - eye) <= 1e-9 * eye;
   return s.paraxial && from_eye ? Way::perspective_views : Way::mesh_camera;
 }
@@ -136,7 +137,7 @@ std::string view_scene(const Sheet& s, std::uint32_t view, Way way, const Includ
     return head(scene) + camera("orthographic", middle - v * s.front, normalized(v), right, up);
   }
   if (way != Way::perspective_views) throw std::logic_error("a mesh_camera shows no single view");
-  const double distance = s.view_distance * s.scale();
+  const double distance = s.eye_distance();
   const double slope = s.ior * s.cell_offset(view) / s.focal_length + s.eye_slope_x;
   const Vec3 eye = s.centre - (s.right * slope + s.up * s.eye_slope_y + s.direction) * distance;
   return head(scene) + camera("perspective", eye, middle - eye, right, up);
@@ -148,14 +149,14 @@ namespace {
 /// holds a column's rows, in numbers that floats hold exactly (halves, times a power of two), and
 /// each column is a transform of it, which also says how far a step of a row reaches.
 struct ColumnMesh {
-  double inverse = 0.0;      ///< 1/V, scene units
+  double inverse = 0.0;      ///< 1/V or 1/D, scene units
   double row = 0.0;          ///< a row's height
   double stretch = 1.0;      ///< scene units a unit of the mesh's y
   double start_step = 0.0;   ///< y from one row's face to the next
   double normal_step = 0.0;  ///< y of the normal (0, y, 1), likewise
 
   explicit ColumnMesh(const Sheet& s) : row(s.height / s.rows) {
-    if (s.is_finite()) inverse = 1.0 / (s.view_distance * s.scale());
+    inverse = 1.0 / s.eye_distance();
     const double sideways = row * (1.0 - s.front * inverse);  // between the starts of two rows
     if (std::abs(sideways) < 1e-9 * row) {                    // all rays start at the eye
       normal_step = std::ldexp(1.0, -30);  // so small that making it unit changes no bit

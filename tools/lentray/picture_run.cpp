@@ -21,6 +21,7 @@
 #include "tools/common/machine.h"
 #include "tools/common/process.h"
 #include "tools/lentray/camera_place.h"
+#include "tools/lentray/frame_depths.h"
 #include "tools/lentray/sheet_files.h"
 #include "tools/session/explain.h"
 #include "tools/session/going_on.h"
@@ -165,6 +166,21 @@ bool can_share(const Picture& what, const Reading& reading) {
   return difference_of_files(then, what.scene).empty();
 }
 
+CameraOptions camera_of(const Picture& what) {
+  CameraOptions out = camera_options(what.options);
+  out.depths = what.depths;
+  return out;
+}
+
+/// What one frame alone has is said with its number.
+void tell_of_camera(Run& run, const Picture& what) {
+  for (const std::string& text : run.camera.warnings) {
+    const bool is_frames = what.depths && text.starts_with("jumps: ");
+    run.warnings.tell(is_frames ? text + " (frame " + std::to_string(run.clock.frame_number) + ")"
+                                : text);
+  }
+}
+
 /// The first picture of a scene.
 void read_scene(Run& run, const Picture& what, Reading reading) {
   what.kept.reset();  // before there is another
@@ -177,11 +193,11 @@ void read_scene(Run& run, const Picture& what, Reading reading) {
                             connect(diagnostics, form, warnings);
                           });
     try {
-      run.camera = scene.session->camera(camera_options(run.options));
+      run.camera = scene.session->camera(camera_of(what));
     } catch (const camera::CameraError& error) {
       fail_with_place(error, *scene.session, run.options);
     }
-    for (std::string& text : run.camera.warnings) run.warnings.tell(text);
+    tell_of_camera(run, what);
     if (run.options.depth) check_depth(run.camera, run.options);
   } catch (...) {
     write_dependencies(run, scene.disk);
@@ -191,6 +207,7 @@ void read_scene(Run& run, const Picture& what, Reading reading) {
     scene.sheet.emplace();
     scene.sheet->sheet = run.camera.sheet;
     scene.sheet->stand = run.camera.stand;
+    scene.sheet->composed = run.camera.composed;
   }
 }
 
@@ -198,7 +215,7 @@ void read_scene(Run& run, const Picture& what, Reading reading) {
 void find_scene(Run& run, const Picture& what, const std::atomic<bool>& cancel) {
   Reading reading = reading_of(run.options, run.clock, what.scene, &cancel);
   if (can_share(what, reading)) {
-    run.camera = what.kept->session->another_view(*what.kept->sheet, camera_options(run.options));
+    run.camera = what.kept->session->another_view(*what.kept->sheet, camera_of(what));
   } else {
     read_scene(run, what, std::move(reading));
   }
@@ -386,6 +403,7 @@ Status make_picture(Run& run, const Picture& what, const std::atomic<bool>& canc
     return kDone;
   }
   run.identity = identity_of(o, what.clock);
+  if (what.depths) run.identity.options += depths_line(*what.depths);
   if (renders(o) && is_there_already(run, what.scene)) return kDone;
   if (renders(o)) run.form.begin_reading(o, what.clock, run.output);
   find_scene(run, what, cancel);

@@ -8,8 +8,10 @@
 #include <atomic>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 
+#include "camera/composition.h"
 #include "parser/options/animation.h"
 #include "parser/options/options.h"
 #include "tools/lentray/message_form.h"
@@ -24,11 +26,12 @@ struct SceneInUse;
 struct Picture {
   const parser::RenderOptions& options;
   const parser::FrameClock& clock;
-  const std::string& scene;           ///< path of the file
-  std::shared_ptr<SceneInUse>& kept;  ///< of the picture before; becomes that of this one
-  bool is_last = true;                ///< the program ends after it
-  bool is_frame = false;              ///< of an animation
-  std::function<void()> is_read{};    ///< called when all that the scene reads is known
+  const std::string& scene;                     ///< path of the file
+  std::shared_ptr<SceneInUse>& kept;            ///< of the picture before; becomes that of this one
+  bool is_last = true;                          ///< the program ends after it
+  bool is_frame = false;                        ///< of an animation
+  std::optional<camera::SceneDepths> depths{};  ///< of all of it (tools/lentray/frame_depths.h)
+  std::function<void()> is_read{};              ///< called when all that the scene reads is known
 };
 
 /// Whether a run with these options makes pictures, rather than prints about the scene.

@@ -11,6 +11,7 @@
 #include "parser/restrictions/povray_conf.h"
 #include "tools/common/process.h"
 #include "tools/lentray/commands.h"
+#include "tools/lentray/frame_depths.h"
 #include "tools/lentray/picture_run.h"
 #include "tools/session/picture_journal.h"
 #include "tools/session/scene_file.h"
@@ -47,7 +48,8 @@ class Loop {
   Loop(const RenderOptions& options, const std::string& scene, const std::atomic<bool>& cancel,
        MessageForm& form, Warnings& warnings)
       : m_options(options), m_scene(scene), m_cancel(cancel), m_form(form), m_warnings(warnings),
-        m_frames(frames_of(options)), m_is_animation(parser::is_animation(options.animation)) {}
+        m_frames(frames_of(options)), m_is_animation(parser::is_animation(options.animation)),
+        m_depths(frame_depths(options, scene, cancel)) {}
 
   Status without_commands() {
     for (std::size_t i = 0; i < m_frames.size(); ++i) {
@@ -87,7 +89,7 @@ class Loop {
     one.frame_digits = frame.digits;
     if (m_is_animation) m_form.begin_frame(one, frame.clock, i + 1, m_frames.size());
     const bool is_last = i + 1 == m_frames.size();
-    return run_picture({one, frame.clock, m_scene, m_kept, is_last, m_is_animation,
+    return run_picture({one, frame.clock, m_scene, m_kept, is_last, m_is_animation, m_depths,
                         [this] {
                           m_form.texts().keep();
                           write_ini();
@@ -98,6 +100,7 @@ class Loop {
   /// Frames say that they are finished only while there is one that is not. Of the first `count`.
   void forget_frames(std::size_t count) const {
     if (!m_is_animation || !m_options.output_to_file) return;
+    forget_frame_depths(m_options);
     RenderOptions one = m_options;
     for (std::size_t i = 0; i < count; ++i) {
       one.frame_digits = m_frames[i].digits;
@@ -150,6 +153,7 @@ class Loop {
   Warnings& m_warnings;
   const parser::AnimationFrames m_frames;
   const bool m_is_animation;
+  const std::optional<camera::SceneDepths> m_depths;
   std::shared_ptr<SceneInUse> m_kept;
   bool m_has_ini = false;
 };

@@ -22,22 +22,36 @@ bool asks_for_lens_itself(const CameraOptions& o) {
 
 bool asks_for_lens(const CameraOptions& o) {
   return asks_for_lens_itself(o) || o.lens.front || o.lens.view_distance || o.sheet_distance ||
-         o.lens.depth_budget;
+         !o.sheet_at.empty() || o.lens.depth_budget || o.lens.depth;
+}
+
+/// Of a survey: a part of what the pictures of the sheet will need, but as many as show what there is.
+std::uint64_t survey_rays(const CameraOptions& o) {
+  constexpr std::uint64_t kLeast = std::uint64_t{1} << 15, kPixelsARay = 12;
+  std::uint64_t pixels = std::uint64_t{o.width} * o.height;
+  if (o.views.count && o.views.size)
+    pixels = std::uint64_t{*o.views.count} * o.views.size->width * o.views.size->height;
+  return std::clamp(pixels / kPixelsARay, kLeast, camera::kSurveyRays);
 }
 
 camera::Sheet make_sheet(const parser::CameraRequest& request, const CameraOptions& options,
                          const camera::SceneProbe& probe) {
   const std::uint32_t width = options.width, height = options.height;
   if (request.kind != "lenticular") {
-    const camera::Conversion conversion{options.lens, options.sheet_distance};
-    return camera::sheet_of_camera(request.kind, request.projection, conversion, width, height,
-                                   probe);
+    return camera::sheet_of_camera(request.kind, request.projection,
+                                   {options.lens, options.sheet_distance, options.sheet_at,
+                                    options.depths, survey_rays(options)},
+                                   width, height, probe);
   }
   camera::LensRequest lens = request.lens;
   lens.override_by(options.lens);
   camera::Sheet sheet = camera::sheet_of_statement(request.projection, lens, width, height, probe);
-  if (options.sheet_distance) {
-    sheet.warnings.push_back("Sheet_Distance has no effect: the scene's own camera is lenticular");
+  for (const auto& [is_said, name] :
+       {std::pair{options.sheet_distance.has_value(), "Sheet_Distance"},
+        std::pair{!options.sheet_at.empty(), "Sheet_At"}}) {
+    if (!is_said) continue;
+    sheet.warnings.push_back(std::string(name) +
+                             " has no effect: the scene's own camera is lenticular");
   }
   return sheet;
 }
@@ -122,9 +136,9 @@ std::shared_ptr<const camera::Camera> picture_of_view(const camera::Lenticular& 
 
 /// The lens whose views are the cameras of a quilt's cone. `like` has the same size in scene units.
 camera::LensRequest cone_lens(const camera::LensParameters& like, double degrees,
-                              std::uint32_t views) {
+                              const CameraOptions& o) {
   const camera::LensParameters lens =
-      camera::lens_of_cone(degrees, views, like.pitch, like.view_distance);
+      camera::lens_of_cone(degrees, o.views.quilt->views(), like.pitch, like.view_distance);
   camera::LensRequest out;
   out.pitch = lens.pitch;
   out.focal_length = lens.focal_length;
@@ -132,6 +146,8 @@ camera::LensRequest cone_lens(const camera::LensParameters& like, double degrees
   out.pixels = lens.pixels;
   out.model = lens.model;
   out.slant = 0.0;
+  out.view_distance = o.lens.view_distance;
+  out.front = o.lens.front;
   return out;
 }
 
@@ -139,29 +155,25 @@ camera::LensRequest cone_lens(const camera::LensParameters& like, double degrees
 /// parallax is in pixels of the tile.
 camera::Sheet cone_sheet(const parser::CameraRequest& request, const CameraOptions& options,
                          const camera::SceneProbe& probe) {
-  const std::uint32_t views = options.views.quilt->views();
+  constexpr double kTilePixels = 5.0;  // that a display shows without ghosts
   CameraOptions o = options;
-  o.width = options.width * views;
+  o.width = options.width * options.views.quilt->views();
   const double degrees = options.views.cone.value_or(parser::kUsualViewCone);
-  const auto with_lens = [&](const camera::LensParameters& like) {
-    const auto distance = options.lens.view_distance;
-    const auto front = options.lens.front;
-    o.lens = cone_lens(like, degrees, views);
-    o.lens.view_distance = distance;
-    o.lens.front = front;
-  };
-  with_lens({});
+  o.lens = cone_lens({}, degrees, options);
+  if (options.lens.depth.value_or(camera::DepthMode::kViewer) != camera::DepthMode::kViewer) {
+    // The scene's eye alone decides: a viewer who is infinitely far sees slopes of equal steps.
+    o.lens.view_distance = 0.0;
+    o.lens.model = camera::LensModel::kParaxial;
+    o.lens.depth = options.lens.depth;
+    o.lens.depth_budget = options.lens.depth_budget;
+    if (o.lens.depth == camera::DepthMode::kPrint && !o.lens.depth_budget)
+      o.lens.depth_budget = camera::DepthBudget{kTilePixels, false};
+    return make_sheet(request, o, probe);
+  }
   // The eye's distance in mm is known once there is a sheet.
-  with_lens(make_sheet(request, o, probe).camera->sheet().lens());
+  o.lens = cone_lens(make_sheet(request, o, probe).camera->sheet().lens(), degrees, options);
   o.lens.depth_budget = options.lens.depth_budget;
   return make_sheet(request, o, probe);
-}
-
-/// A line of a sheet's report that is about places and parallax, and not of the lens.
-bool is_of_scene(const std::string& line) {
-  return line.find(" visible point ") != std::string::npos || line.starts_with("Background") ||
-         line.starts_with("Sheet distance") || line.starts_with("Larger than the sheet") ||
-         line.starts_with("Depth_Budget") || line.starts_with("The background");
 }
 
 std::string quilt_line(const CameraOptions& o, double aspect) {
@@ -175,7 +187,7 @@ std::string quilt_line(const CameraOptions& o, double aspect) {
 std::string cone_line(const camera::Lenticular& sheet, double degrees) {
   const std::string text = "Its cameras look over " + camera::format(degrees) + " degrees";
   const double distance = sheet.eye_distance();
-  if (!sheet.sheet().lens().is_finite()) return text + ", along parallel rays";
+  if (!sheet.has_near_eye()) return text + ", along parallel rays";
   constexpr double kHalf = 0.5 * 3.14159265358979323846 / 180.0;
   return text + ": " + camera::format(2.0 * distance * std::tan(kHalf * degrees)) +
          " scene units from the first to the last, " + camera::format(distance) +
@@ -187,6 +199,16 @@ void fit_to_display(const CameraOptions& o, camera::Projection& projection) {
   if (!o.views.aspect) return;
   const double width = core::length(projection.right), height = core::length(projection.up);
   if (width > 0.0) projection.right = projection.right * (*o.views.aspect * height / width);
+}
+
+/// All that is said of a sheet but, of a quilt's, what is of lenses.
+void take_report(camera::Sheet& sheet, bool has_lenses, CameraSetup& setup) {
+  if (!has_lenses) sheet.report.resize(sheet.scene_lines);
+  for (std::string& line : sheet.report) setup.report.push_back(std::move(line));
+  for (std::string& text : sheet.warnings) setup.warnings.push_back(std::move(text));
+  setup.stand = sheet.stand;
+  if (sheet.composed)
+    setup.composed = std::make_shared<const camera::Composition>(std::move(*sheet.composed));
 }
 
 void make_quilt(const parser::CameraRequest& request, const CameraOptions& o,
@@ -204,8 +226,6 @@ void make_quilt(const parser::CameraRequest& request, const CameraOptions& o,
   }
   camera::Sheet sheet = of_cone ? cone_sheet(request, o, probe) : make_sheet(request, o, probe);
   setup.sheet = std::move(sheet.camera);
-  setup.stand = sheet.stand;
-  for (std::string& text : sheet.warnings) setup.warnings.push_back(std::move(text));
   const camera::SheetPlacement& place = setup.sheet->placement();
   const double aspect = o.views.aspect.value_or(place.width / place.height);
   std::vector<std::shared_ptr<const camera::Camera>> tiles;
@@ -217,16 +237,14 @@ void make_quilt(const parser::CameraRequest& request, const CameraOptions& o,
   camera::Properties about{{"camera", std::string("quilt")}};
   if (!of_cone) about = setup.sheet->describe();
   about.emplace_back("quilt.aspect", aspect);
-  if (const double factor = setup.sheet->sheet().lens().depth_factor; of_cone && factor != 1.0) {
+  if (const double factor = setup.sheet->depth_factor(); of_cone && factor != 1.0) {
     about.emplace_back("quilt.depth_factor", factor);
   }
   if (of_cone) about.emplace_back("quilt.view_cone_degrees", degrees);
   setup.view = std::make_shared<camera::Quilt>(std::move(tiles), o.views.quilt->columns, about);
   setup.report.push_back(quilt_line(o, aspect));
   if (of_cone) setup.report.push_back(cone_line(*setup.sheet, degrees));
-  for (std::string& line : sheet.report) {
-    if (!of_cone || is_of_scene(line)) setup.report.push_back(std::move(line));
-  }
+  take_report(sheet, !of_cone, setup);
   if (of_cone && asks_for_lens_itself(o)) {
     setup.warnings.push_back(
         "the lens options have no effect on a quilt: Views= makes it of the views of the sheet");
@@ -269,9 +287,7 @@ CameraSetup make_camera(const parser::CameraRequest& asked, const CameraOptions&
   } else {
     camera::Sheet sheet = make_sheet(request, options, probe);
     setup.sheet = std::move(sheet.camera);
-    setup.stand = sheet.stand;
-    setup.report = std::move(sheet.report);
-    for (std::string& text : sheet.warnings) setup.warnings.push_back(std::move(text));
+    take_report(sheet, true, setup);
     if (!options.is_first_view) setup.report.clear();
     take_view(options, setup);
   }
@@ -288,6 +304,7 @@ CameraSetup another_view(const CameraSetup& sheet, const parser::CameraRequest& 
   CameraSetup setup;
   setup.sheet = sheet.sheet;
   setup.stand = sheet.stand;
+  setup.composed = sheet.composed;
   take_view(options, setup);
   if (request.blur) blur_sheet(request, setup);
   return setup;

@@ -23,7 +23,9 @@ struct CameraOptions {
   bool lenticular = false;                  ///< a lens sheet is made of the scene's camera
   camera::LensRequest lens{};
   std::optional<double> sheet_distance{};  ///< scene units
-  std::optional<std::uint32_t> view{};     ///< that view of the sheet alone
+  std::string sheet_at{};  ///< an object that the sheet is to stand at (camera::CompositionRequest)
+  std::optional<camera::SceneDepths> depths{};  ///< of all of an animation
+  std::optional<std::uint32_t> view{};          ///< that view of the sheet alone
   parser::ViewOptions views{};
   bool is_first_view =
       true;  ///< of pictures of one sheet; the first one's report describes the sheet
@@ -36,6 +38,7 @@ struct CameraSetup {
   std::shared_ptr<const camera::Camera> view;  ///< one view of it, or a quilt of them
   std::unique_ptr<camera::Camera> blurred;     ///< the sheet or its view with an aperture, or null
   std::optional<camera::SheetStand> stand{};   ///< of a sheet that was made of a camera
+  std::shared_ptr<const camera::Composition> composed{};  ///< of a sheet with an eye of the scene's
   std::vector<std::string> report, warnings;
 
   const camera::Camera& camera() const {

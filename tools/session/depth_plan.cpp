@@ -16,7 +16,7 @@ ViewingPlan viewing_plan(const camera::Lenticular& sheet) {
   const double distance = sheet.eye_distance();
   out.depth = -distance;
   out.middle = -sheet.placement().eye_slope_x * distance;
-  out.eyes_apart = camera::kEyesApart * sheet.scale();
+  out.eyes_apart = camera::kEyesApart * sheet.eye_scale();
   const double cosine = lens.slant_cosine();  // eyes lie on a level line, slanted lenses do not
   const std::uint32_t views = camera::usual_views(sheet.sheet());
   const std::int64_t lens_number = sheet.sheet().lens_count() / 2;
@@ -24,13 +24,16 @@ ViewingPlan viewing_plan(const camera::Lenticular& sheet) {
     const std::int64_t k = camera::view_column(lens.pixels, j, views, lens_number);
     if (k >= sheet.sheet().width()) continue;
     const camera::LensColumn& column = sheet.sheet().column(static_cast<std::uint32_t>(k));
-    if (!column.dark)
-      out.viewpoints.push_back((column.axis * sheet.scale() - distance * column.slope) / cosine);
+    if (!column.dark) {
+      const double slope = sheet.scene_slope(column);
+      out.viewpoints.push_back((column.axis * sheet.scale() - distance * slope) / cosine);
+    }
   }
   lens.model = camera::LensModel::kPinhole;  // what real lenses do
   double edge = 0.0;
   if (camera::slope_of(lens, 0.5 * lens.print_pitch(), edge)) {
-    out.zone = 2.0 * distance * edge / cosine;
+    const auto& eye = sheet.placement().eye;
+    out.zone = 2.0 * distance * edge / cosine * (eye ? eye->factor : 1.0);
   }
   return out;
 }
@@ -74,7 +77,7 @@ void DepthPlan::choose_depths(const camera::Lenticular& sheet, const camera::Dep
     m_near = std::min(m_near, std::max(seen.nearest, -most));
     m_far = std::max(m_far, std::min(seen.farthest, most));
   }
-  m_has_eyes = sheet.sheet().lens().is_finite() && sheet.eye_distance() <= 3.0 * size;
+  m_has_eyes = sheet.has_near_eye() && sheet.eye_distance() <= 3.0 * size;
   if (m_has_eyes) m_near = std::min(m_near, -sheet.eye_distance());
   const double margin = 0.05 * (m_far - m_near);
   m_near -= margin;

@@ -25,10 +25,9 @@ std::optional<DepthText> depth_text(const Session& session, const CameraSetup& s
   DepthText out;
   out.report = "Depth\n";
   for (const std::string& line : setup.report) {
-    if (line.starts_with("Sheet distance") || line.starts_with("Depth_Budget") ||
-        line.starts_with("The background")) {
-      out.report += "  " + line + "\n";
-    }
+    for (const char* const start : {"In the sheet's plane", "Depth: ", "Jumps: ", "Sheet distance",
+                                    "Depth_Budget", "The background"})
+      if (line.starts_with(start)) out.report += "  " + line + "\n";
   }
   for (const std::string& line : camera::depth_report(*setup.sheet, setup.stand, seen)) {
     out.report += "  " + line + "\n";

@@ -68,6 +68,7 @@ CameraOptions camera_options(const RenderOptions& o) {
   out.lenticular = o.lenticular;
   out.lens = o.lens;
   out.sheet_distance = o.sheet_distance;
+  out.sheet_at = o.sheet_at;
   out.view = parser::rendered_view(o);
   out.views = o.views;
   out.is_first_view = is_first_view(o);

@@ -152,6 +152,9 @@ TEST(UnitCameraDepth, TheLargestParallaxIsThatOfOuterViews) {
     EXPECT_NEAR(seen.most_step, seen.least_step, 1e-9);
   }
   const double bend = 1.6 / 3.03;
+  const auto parallax_at_bend = [](const Lenticular& s, double depth, double by) {
+    return parallax_rule(s, by).at(depth / s.scale());
+  };
   EXPECT_NEAR(parallax_at_bend(*paraxial.camera, 4.0, bend), parallax(*paraxial.camera, 4.0),
               1e-12);
   EXPECT_LT(parallax_at_bend(*paraxial.camera, -11.0, bend), -1e9);  // behind the eye
