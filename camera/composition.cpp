@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "camera/depth_budget.h"
-#include "camera/parallax.h"
 
 namespace lentray::camera {
 namespace {

@@ -21,6 +21,7 @@
 #include "camera/depth_survey.h"
 #include "camera/lens_request.h"
 #include "camera/lenticular.h"
+#include "camera/parallax.h"
 #include "camera/scene_probe.h"
 
 namespace lentray::camera {
@@ -51,11 +52,12 @@ double largest_factor(const SceneDepths& seen, const Lenticular& sheet, double d
 struct CompositionRequest {
   DepthMode mode = DepthMode::kPrint;
   bool is_perspective = true;
-  std::optional<double> distance{};     ///< D, as asked for
-  double usual_distance = 1.0;          ///< D of DepthMode::kScene, and where nothing is visible
-  std::string sheet_at{};               ///< NAME, or FILE:LINE:COLUMN; empty: none
-  std::optional<DepthBudget> budget{};  ///< empty: depth is true
-  SceneDepths expected{};               ///< what a few rays met
+  std::optional<double> distance{};      ///< D, as asked for
+  double usual_distance = 1.0;           ///< D of DepthMode::kScene, and where nothing is visible
+  std::string sheet_at{};                ///< NAME, or FILE:LINE:COLUMN; empty: none
+  std::optional<DepthBudget> budget{};   ///< empty: depth is true
+  double most_parallax = kMostParallax;  ///< pixels a view, beyond which things are said to jump
+  SceneDepths expected{};                ///< what a few rays met
   /// Of all of an animation; empty: what the survey finds.
   std::optional<SceneDepths> depths{};
   std::uint64_t rays = kSurveyRays;  ///< of a survey

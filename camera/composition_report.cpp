@@ -97,51 +97,47 @@ std::string depth_line(const Moves& moves, const Composition& composed) {
                                 : std::string("true depth"));
 }
 
-bool jumps(double step) { return !(std::fabs(step) <= kMostParallax * (1.0 + 1e-6)); }
-
-std::string jumping_text(const Lenticular& sheet, const DepthSurvey& seen, const Moves& moves) {
+/// What jumps; empty: nothing.
+std::string jumping_text(const CompositionRequest& asked, const DepthSurvey& seen,
+                         const Moves& moves) {
+  const auto jumps = [most = asked.most_parallax * (1.0 + 1e-6)](double step) {
+    return !(std::fabs(step) <= most);
+  };
   std::vector<const SeenObject*> objects;
   for (const SeenObject& object : seen.objects)
     if (jumps(moves.of(object.nearest)) || jumps(moves.of(object.farthest)))
       objects.push_back(&object);
   std::string out = names_of(objects);
-  if (jumps(moves.background())) {
-    out += (out.empty() ? "" : ", ") + std::string("the background");
-  } else if (out.empty()) {
-    out = "what outer views show";
-  }
-  (void)sheet;
-  return out;
+  if (jumps(moves.background()))
+    return out + (out.empty() ? "" : ", ") + std::string("the background");
+  return out.empty() && jumps(moves.largest()) ? "what outer views show" : out;
 }
 
-std::string jump_line(const Lenticular& sheet, const DepthSurvey& seen, const Moves& moves) {
-  std::string out = "Jumps: ";
-  if (jumps(moves.largest())) {
-    out += jumping_text(sheet, seen, moves);
-  } else {
+std::string jump_line(const Lenticular& sheet, const std::string& jumping, const DepthSurvey& seen,
+                      const Moves& moves) {
+  std::string out = "Jumps: " + jumping;
+  if (jumping.empty())
     out += "none, things move by " + brief(moves.largest()) + " pixels a view at most";
-  }
   if (seen.background > 0.0 && !sheet.has_near_eye())
     out += "; the background is infinitely far and moves along with the eye";
   return out;
 }
 
 /// What will be seen to be wrong.
-std::string jump_warning(const Lenticular& sheet, const CompositionRequest& asked,
-                         const DepthSurvey& seen, const Moves& moves) {
-  std::string out = "jumps: " + jumping_text(sheet, seen, moves) + " move by up to " +
-                    brief(moves.largest()) + " pixels a view, an eye sees that beyond " +
-                    brief(kMostParallax) + ": ";
+std::string jump_warning(const CompositionRequest& asked, const std::string& jumping,
+                         const Moves& moves) {
+  const std::string out = "jumps: " + jumping + ", by up to " + brief(moves.largest()) +
+                          " pixels a view, an eye sees that beyond " + brief(asked.most_parallax) +
+                          ": ";
   if (asked.depths)
     return out +
            "the first, the middle and the last frame do not show it; a smaller Depth_Budget helps";
-  return out + (asked.budget ? "a smaller Depth_Budget" : "Depth=print, or Depth_Budget=1.5,") +
+  return out + (asked.budget ? "a smaller Depth_Budget" : "Depth=print, or a Depth_Budget,") +
          " helps";
 }
 
 /// Why most of the picture is at nearly one depth, though depth is compressed.
-std::string flat_warning(const CompositionRequest& asked, const Composition& composed,
-                         const Moves& moves) {
+std::string flat_warning(const Composition& composed, const Moves& moves) {
   const DistanceRange all = moves.all(), most = moves.most();
   std::string out = "flat: nine tenths of the picture lie " + range_text(moves, most) +
                     ", for depth is compressed to " + percent(composed.factor);
@@ -153,7 +149,6 @@ std::string flat_warning(const CompositionRequest& asked, const Composition& com
   } else {
     out += ": what is far away takes the rest";
   }
-  (void)asked;
   return out +
          ". A scene without that, a larger Depth_Budget, which lets it jump, more pixels a lens or "
          "thicker "
@@ -167,14 +162,15 @@ CompositionText composition_text(const Lenticular& sheet, const CompositionReque
   constexpr double kFlat = 0.1;  // of the budget, both ways
   const DepthSurvey& seen = composed.seen;
   const Moves moves(sheet, seen);
+  const std::string jumping = jumping_text(asked, seen, moves);
   CompositionText out;
   out.lines = {plane_line(asked, composed), depth_line(moves, composed),
-               jump_line(sheet, seen, moves)};
-  if (jumps(moves.largest())) out.warnings.push_back(jump_warning(sheet, asked, seen, moves));
+               jump_line(sheet, jumping, seen, moves)};
+  if (!jumping.empty()) out.warnings.push_back(jump_warning(asked, jumping, moves));
   const DistanceRange most = moves.most();
   if (composed.factor < 1.0 && !most.is_empty() &&
-      most.farthest - most.nearest < kFlat * 2.0 * kMostParallax) {
-    out.warnings.push_back(flat_warning(asked, composed, moves));
+      most.farthest - most.nearest < kFlat * 2.0 * asked.most_parallax) {
+    out.warnings.push_back(flat_warning(composed, moves));
   }
   return out;
 }

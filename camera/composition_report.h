@@ -15,8 +15,7 @@ struct CompositionText {
   std::vector<std::string> warnings;  ///< jumps, and a print that is nearly flat
 };
 
-/// `sheet`: the composed one. `parts`: what may be seen of the sheet is right only where nothing is cut: the
-/// names of what the eyes of the views run into; empty: nothing.
+/// `sheet`: the composed one.
 CompositionText composition_text(const Lenticular& sheet, const CompositionRequest& asked,
                                  const Composition& composed);
 

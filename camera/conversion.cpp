@@ -344,9 +344,10 @@ Sheet viewers_sheet(const ConvertedCamera& camera, const Conversion& conversion,
 }
 
 /// Prints are composed to what an eye sees without jumps, unless another budget is asked for.
-std::optional<DepthBudget> budget_of(const LensRequest& asked) {
+std::optional<DepthBudget> budget_of(const Conversion& conversion) {
+  const LensRequest& asked = conversion.lens;
   if (asked.depth_budget || asked.depth != DepthMode::kPrint) return asked.depth_budget;
-  return DepthBudget{kMostParallax, false};
+  return DepthBudget{conversion.most_parallax, false};
 }
 
 /// Makes sheets of one camera, seen by an eye of the scene's.
@@ -380,7 +381,8 @@ class SheetComposer {
       out.distance = (out.is_perspective ? checked_distance(*asked) : *asked) * m_camera.along();
     out.usual_distance = usual() * m_camera.along();
     out.sheet_at = m_conversion.sheet_at;
-    out.budget = budget_of(m_conversion.lens);
+    out.budget = budget_of(m_conversion);
+    out.most_parallax = m_conversion.most_parallax;
     out.expected.has_background = m_coarse.has_background;
     if (!m_coarse.depths.empty()) {
       const double unit = core::dot(m_camera.projection().direction, m_camera.normal());

@@ -49,6 +49,8 @@ struct Conversion {
   std::string sheet_at{};                   ///< of an object: CompositionRequest::sheet_at
   std::optional<SceneDepths> depths{};      ///< of all of an animation
   std::uint64_t survey_rays = kSurveyRays;  ///< of a survey, where one is made
+  /// Pixels a view beyond which things jump: the budget of DepthMode::kPrint where none is asked for.
+  double most_parallax = kMostParallax;
 };
 
 /// The sheet of an ordinary camera. `kind` is SDL's word: "perspective" and "orthographic" have a

@@ -59,9 +59,11 @@ bool depth_says(const tool::RunResult& result, const std::string& part) {
 TEST_F(ImageDepth, NamesWhatStandsOutByItsPlace) {
   const auto result = depth({"+W600", "+H300", "Lens_Pixels=7"});
   ASSERT_EQ(result.status, 0) << result.output;
-  for (const char* part : {"sphere at a.pov:7:1: -", "Ball at a.pov:6:1: ", "; jumps",
-                           "Background, ", "Found with a ray through each of 180000 pixels",
-                           "Proposed, for all that is visible: Sheet_Distance="}) {
+  for (const char* part :
+       {"sphere at a.pov:7:1: 1.9 to 2.385 from the camera (Sheet_Distance=2.115), -",
+        "Ball at a.pov:6:1: ", "; jumps", "Background, ",
+        "Found with a ray through each of 180000 pixels",
+        "Proposed, for all that is visible: Sheet_Distance="}) {
     EXPECT_TRUE(depth_says(result, part)) << part << "\n" << result.output;
   }
   // What a sheet cuts is named too, in every report.

@@ -92,7 +92,7 @@ TEST_F(ImageSheetSizes, AScenesPrintInOneCommand) {
 TEST_F(ImageSheetSizes, ScenesLearnThePicturesSize) {
   const auto result = sheet({"Print_DPI=127", "--explain"});
   EXPECT_EQ(result.status, 0);
-  EXPECT_TRUE(sheet_sizes_has(result.output, "size 500 x 350\n")) << result.output;
+  EXPECT_TRUE(sheet_sizes_has(result.output, "size 501 x 351\n")) << result.output;
   EXPECT_FALSE(sheet_sizes_has(result.output, "too wide"));
   tool::write_text(path("narrow.pov"), "#version 3.7;\ncamera { location -6*z right x }\n");
   EXPECT_TRUE(sheet_sizes_has(lentray({"narrow.pov", "Lenticular=On", "Sheet_Distance=6",

@@ -6,6 +6,7 @@
 #include "camera/bent.h"
 #include "camera/blurred.h"
 #include "camera/conversion.h"
+#include "camera/parallax.h"
 #include "camera/projected.h"
 #include "camera/sheet_views.h"
 #include "camera/text.h"
@@ -34,13 +35,15 @@ std::uint64_t survey_rays(const CameraOptions& o) {
   return std::clamp(pixels / kPixelsARay, kLeast, camera::kSurveyRays);
 }
 
+/// `most_parallax`: pixels a view, beyond which things jump.
 camera::Sheet make_sheet(const parser::CameraRequest& request, const CameraOptions& options,
-                         const camera::SceneProbe& probe) {
+                         const camera::SceneProbe& probe,
+                         double most_parallax = camera::kMostParallax) {
   const std::uint32_t width = options.width, height = options.height;
   if (request.kind != "lenticular") {
     return camera::sheet_of_camera(request.kind, request.projection,
                                    {options.lens, options.sheet_distance, options.sheet_at,
-                                    options.depths, survey_rays(options)},
+                                    options.depths, survey_rays(options), most_parallax},
                                    width, height, probe);
   }
   camera::LensRequest lens = request.lens;
@@ -155,7 +158,7 @@ camera::LensRequest cone_lens(const camera::LensParameters& like, double degrees
 /// parallax is in pixels of the tile.
 camera::Sheet cone_sheet(const parser::CameraRequest& request, const CameraOptions& options,
                          const camera::SceneProbe& probe) {
-  constexpr double kTilePixels = 5.0;  // that a display shows without ghosts
+  constexpr double kTilePixels = 5.0;  // up to which displays show no ghosts
   CameraOptions o = options;
   o.width = options.width * options.views.quilt->views();
   const double degrees = options.views.cone.value_or(parser::kUsualViewCone);
@@ -166,9 +169,7 @@ camera::Sheet cone_sheet(const parser::CameraRequest& request, const CameraOptio
     o.lens.model = camera::LensModel::kParaxial;
     o.lens.depth = options.lens.depth;
     o.lens.depth_budget = options.lens.depth_budget;
-    if (o.lens.depth == camera::DepthMode::kPrint && !o.lens.depth_budget)
-      o.lens.depth_budget = camera::DepthBudget{kTilePixels, false};
-    return make_sheet(request, o, probe);
+    return make_sheet(request, o, probe, kTilePixels);
   }
   // The eye's distance in mm is known once there is a sheet.
   o.lens = cone_lens(make_sheet(request, o, probe).camera->sheet().lens(), degrees, options);
@@ -189,7 +190,9 @@ std::string cone_line(const camera::Lenticular& sheet, double degrees) {
   const double distance = sheet.eye_distance();
   if (!sheet.has_near_eye()) return text + ", along parallel rays";
   constexpr double kHalf = 0.5 * 3.14159265358979323846 / 180.0;
-  return text + ": " + camera::format(2.0 * distance * std::tan(kHalf * degrees)) +
+  const double reach = distance * std::tan(kHalf * degrees);
+  const auto& eye = sheet.placement().eye;
+  return text + ": " + camera::format(2.0 * reach * (eye ? eye->factor : 1.0)) +
          " scene units from the first to the last, " + camera::format(distance) +
          " before the sheet";
 }
@@ -203,7 +206,11 @@ void fit_to_display(const CameraOptions& o, camera::Projection& projection) {
 
 /// All that is said of a sheet but, of a quilt's, what is of lenses.
 void take_report(camera::Sheet& sheet, bool has_lenses, CameraSetup& setup) {
-  if (!has_lenses) sheet.report.resize(sheet.scene_lines);
+  if (!has_lenses) {
+    sheet.report.resize(sheet.scene_lines);
+    // How deep it looks in mm: nobody knows of the display.
+    if (sheet.composed) sheet.report.erase(sheet.report.begin() + 1);
+  }
   for (std::string& line : sheet.report) setup.report.push_back(std::move(line));
   for (std::string& text : sheet.warnings) setup.warnings.push_back(std::move(text));
   setup.stand = sheet.stand;
