@@ -45,7 +45,9 @@ struct LensRequest : LensData {
   std::optional<std::uint32_t> rays;  ///< K of the thick model
   std::optional<SheetSize> size;
   std::optional<DepthBudget> depth_budget;
-  std::string sheet_name;         ///< of the lens profile that data are from; empty: none
+  std::string sheet_name;  ///< of the lens profile that data are from; empty: none
+  /// The lenses lie across the upright picture. All else is then of the sheet turned by a quarter, its top to the left.
+  std::optional<bool> across;
   bool sheet_is_nominal = false;  ///< that profile's data are computed, not measured
 
   /// What `other` says replaces what was said here; saying a pitch replaces a pitch given as lines

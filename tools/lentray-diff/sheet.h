@@ -34,6 +34,7 @@ struct Sheet {
   double view_distance = 0.0;  ///< V, mm; infinite: infinity
   double depth_factor = 1.0;   ///< of offsets in a cell, before the model asks where they look
   bool paraxial = false;
+  bool turned_views = false;  ///< the sheet is on its side, its views' pictures are upright
   std::uint32_t columns = 0, rows = 0;  ///< the integral image, W x H
 
   bool is_finite() const;

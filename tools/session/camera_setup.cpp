@@ -10,6 +10,7 @@
 #include "camera/sheet_views.h"
 #include "camera/text.h"
 #include "camera/thin_lens.h"
+#include "camera/upright_view.h"
 
 namespace lentray::tool {
 namespace {
@@ -17,7 +18,7 @@ namespace {
 /// What a lens is like.
 bool asks_for_lens_itself(const CameraOptions& o) {
   return !o.lens.is_empty() || o.lens.pixels || o.lens.print_dpi || o.lens.model ||
-         o.lens.automatic_model || o.lens.tolerance || o.lens.rays || o.lens.slant;
+         o.lens.automatic_model || o.lens.tolerance || o.lens.rays || o.lens.slant || o.lens.across;
 }
 
 bool asks_for_lens(const CameraOptions& o) {
@@ -28,14 +29,15 @@ bool asks_for_lens(const CameraOptions& o) {
 camera::Sheet make_sheet(const parser::CameraRequest& request, const CameraOptions& options,
                          const camera::SceneProbe& probe) {
   const std::uint32_t width = options.width, height = options.height;
+  const camera::Projection frame =
+      options.is_on_its_side() ? camera::on_its_side(request.projection) : request.projection;
   if (request.kind != "lenticular") {
     const camera::Conversion conversion{options.lens, options.sheet_distance};
-    return camera::sheet_of_camera(request.kind, request.projection, conversion, width, height,
-                                   probe);
+    return camera::sheet_of_camera(request.kind, frame, conversion, width, height, probe);
   }
   camera::LensRequest lens = request.lens;
   lens.override_by(options.lens);
-  camera::Sheet sheet = camera::sheet_of_statement(request.projection, lens, width, height, probe);
+  camera::Sheet sheet = camera::sheet_of_statement(frame, lens, width, height, probe);
   if (options.sheet_distance) {
     sheet.warnings.push_back("Sheet_Distance has no effect: the scene's own camera is lenticular");
   }
@@ -100,9 +102,10 @@ std::shared_ptr<const camera::Camera> strip_of(const camera::Lenticular& sheet,
   return std::make_shared<camera::SheetView>(sheet, view);
 }
 
-/// The size of each of the pictures of Views=.
+/// The size of each of the pictures of Views=, upright.
 parser::PixelSize view_size(const CameraOptions& o) {
-  return o.views.size.value_or(parser::PixelSize{o.width, o.height});
+  const parser::PixelSize whole{o.width, o.height}, turned{o.height, o.width};
+  return o.views.size.value_or(o.is_on_its_side() ? turned : whole);
 }
 
 std::string size_text(const parser::PixelSize& size) {
@@ -117,6 +120,8 @@ std::shared_ptr<const camera::Camera> picture_of_view(const camera::Lenticular& 
   const double offset = ((view + 0.5) / *o.views.count - 0.5) * sheet.sheet().lens().print_pitch();
   report.push_back("View " + std::to_string(view) + " of " + std::to_string(*o.views.count) + ", " +
                    size_text(size) + ", at the print offset " + camera::format(offset) + " mm");
+  if (o.is_on_its_side())
+    return camera::make_view(sheet, view, *o.views.count, size.height, size.width);
   return camera::make_view(sheet, view, *o.views.count, size.width, size.height);
 }
 
@@ -238,6 +243,9 @@ void take_view(const CameraOptions& o, CameraSetup& setup) {
   if (!o.view) return;
   setup.view = o.views.count ? picture_of_view(*setup.sheet, o, *o.view, setup.report)
                              : strip_of(*setup.sheet, *o.view);
+  if (setup.is_on_its_side) {
+    setup.view = std::make_shared<camera::UprightView>(std::move(setup.view));
+  }
 }
 
 void blur_sheet(const parser::CameraRequest& request, CameraSetup& setup) {
@@ -251,6 +259,12 @@ void blur_sheet(const parser::CameraRequest& request, CameraSetup& setup) {
 }
 
 }  // namespace
+
+camera::Properties properties_of(const CameraSetup& setup) {
+  camera::Properties out = setup.camera().describe();
+  if (setup.is_on_its_side) out.emplace_back("lens.lenses_lie", std::string("across"));
+  return out;
+}
 
 CameraSetup make_camera(const parser::CameraRequest& asked, const CameraOptions& options,
                         const camera::SceneProbe& probe) {
@@ -270,6 +284,7 @@ CameraSetup make_camera(const parser::CameraRequest& asked, const CameraOptions&
     camera::Sheet sheet = make_sheet(request, options, probe);
     setup.sheet = std::move(sheet.camera);
     setup.stand = sheet.stand;
+    setup.is_on_its_side = options.is_on_its_side();
     setup.report = std::move(sheet.report);
     for (std::string& text : sheet.warnings) setup.warnings.push_back(std::move(text));
     if (!options.is_first_view) setup.report.clear();
@@ -288,6 +303,7 @@ CameraSetup another_view(const CameraSetup& sheet, const parser::CameraRequest& 
   CameraSetup setup;
   setup.sheet = sheet.sheet;
   setup.stand = sheet.stand;
+  setup.is_on_its_side = sheet.is_on_its_side;
   take_view(options, setup);
   if (request.blur) blur_sheet(request, setup);
   return setup;
