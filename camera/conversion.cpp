@@ -147,14 +147,18 @@ void check_width(const Lenticular& camera, const LensRequest& asked) {
 }
 
 /// The picture fills the sheet, so one of another shape is stretched.
-void warn_of_shape(const Projection& p, const SheetSize& size, std::uint32_t width,
+void warn_of_shape(const Projection& p, const LensRequest& asked, std::uint32_t width,
                    std::uint32_t height, std::vector<std::string>& warnings) {
   constexpr double kNoticeable = 0.005;
-  const double of_picture = core::length(p.right) / core::length(p.up);
-  const double of_sheet = size.width / size.height;
+  double of_picture = core::length(p.right) / core::length(p.up);
+  double of_sheet = asked.size->width / asked.size->height;
+  const bool square = std::fabs(width / (height * of_sheet) - 1.0) <= kNoticeable;
+  if (asked.across.value_or(false)) {
+    of_picture = 1.0 / of_picture;
+    of_sheet = 1.0 / of_sheet;
+  }
   const double stretch = of_sheet / of_picture - 1.0;
   if (std::fabs(stretch) <= kNoticeable) return;
-  const bool square = std::fabs(width / (height * of_sheet) - 1.0) <= kNoticeable;
   warnings.push_back("the camera's picture is " + brief(of_picture) +
                      " times as wide as high, the sheet " + brief(of_sheet) +
                      " times: things look " + brief(100.0 * std::fabs(stretch)) + " % too " +
@@ -246,8 +250,7 @@ Sheet finish(LensParameters lens, SheetPlacement place, const LensRequest& asked
 /// What was asked for in vain.
 void add_warnings(const LensRequest& asked, const Projection& projection, Sheet& sheet) {
   if (asked.size) {
-    warn_of_shape(projection, *asked.size, sheet.camera->width(), sheet.camera->height(),
-                  sheet.warnings);
+    warn_of_shape(projection, asked, sheet.camera->width(), sheet.camera->height(), sheet.warnings);
   }
   if (asked.tolerance && !asked.automatic_model) {
     sheet.warnings.push_back("Lens_Tolerance has no effect: it is what Lens_Model=auto goes by");

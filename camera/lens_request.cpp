@@ -62,6 +62,7 @@ void LensRequest::override_by(const LensRequest& other) {
   if (other.tolerance) tolerance = other.tolerance;
   if (other.rays) rays = other.rays;
   if (other.size) size = other.size;
+  if (other.across) across = other.across;
   if (other.depth_budget) depth_budget = other.depth_budget;
   if (other.depth) depth = other.depth;
   if (!other.sheet_name.empty()) {

@@ -57,7 +57,9 @@ struct LensRequest : LensData {
   std::optional<DepthBudget> depth_budget;
   std::optional<DepthMode> depth;  ///< empty: the viewer's
   std::string sheet_name;          ///< of the lens profile that data are from; empty: none
-  bool sheet_is_nominal = false;   ///< that profile's data are computed, not measured
+  /// The lenses lie across the upright picture. All else is then of the sheet turned by a quarter, its top to the left.
+  std::optional<bool> across;
+  bool sheet_is_nominal = false;  ///< that profile's data are computed, not measured
 
   /// What `other` says replaces what was said here; saying a pitch replaces a pitch given as lines
   /// an inch or as that of the print too, and N replaces a print resolution. Lens data:

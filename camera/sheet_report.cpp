@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "camera/text.h"
 #include "core/base/bounds.h"
@@ -31,8 +32,19 @@ std::string size_text(double width, double height) {
          format(height / 25.4) + " in)";
 }
 
+bool lies_across(const LensRequest& asked) { return asked.across.value_or(false); }
+
+/// Both sides of the upright picture, whose lenses may lie across.
+template <class Value>
+std::pair<Value, Value> upright(const LensRequest& asked, Value across, Value along) {
+  return lies_across(asked) ? std::pair(along, across) : std::pair(across, along);
+}
+
 /// By how much the sheet differs from what was asked for.
-std::string size_line(const Lenticular& sheet, const SheetSize& size) {
+std::string size_line(const Lenticular& sheet, const LensRequest& asked) {
+  const auto [width, height] = upright(asked, sheet.sheet().sheet_width(), sheet.sheet_height());
+  const auto [wanted_width, wanted_height] = upright(asked, asked.size->width, asked.size->height);
+  const auto [columns, rows] = upright(asked, sheet.width(), sheet.height());
   constexpr double kNothing = 5e-4;  // mm
   const auto differs = [](double by, const char* as, const char* more, const char* less) {
     return std::fabs(by) < kNothing ? std::string("as ") + as + " as asked for"
@@ -40,11 +52,10 @@ std::string size_line(const Lenticular& sheet, const SheetSize& size) {
   };
   const bool cut =
       !sheet.sheet().is_slanted() && sheet.sheet().columns().is_last_cut(sheet.width());
-  return "Rounded to whole pixels, " + std::to_string(sheet.width()) + " x " +
-         std::to_string(sheet.height()) + ", for a sheet of " + format(size.width) + " x " +
-         format(size.height) +
-         " mm: " + differs(sheet.sheet().sheet_width() - size.width, "wide", "wider", "narrower") +
-         ", " + differs(sheet.sheet_height() - size.height, "high", "higher", "lower") +
+  return "Rounded to whole pixels, " + std::to_string(columns) + " x " + std::to_string(rows) +
+         ", for a sheet of " + format(wanted_width) + " x " + format(wanted_height) +
+         " mm: " + differs(width - wanted_width, "wide", "wider", "narrower") + ", " +
+         differs(height - wanted_height, "high", "higher", "lower") +
          (cut ? "; the last lens is cut" : "");
 }
 
@@ -152,7 +163,7 @@ bool are_in_zone(const Viewing& viewing, double pixels) {
   return viewing.right >= 0.0 && viewing.left <= pixels;
 }
 
-std::vector<std::string> viewing_lines(const Lenticular& sheet) {
+std::vector<std::string> viewing_lines(const Lenticular& sheet, const LensRequest& asked) {
   const LensParameters& lens = sheet.sheet().lens();
   const Viewing viewing = viewing_of(sheet);
   std::vector<std::string> out;
@@ -160,8 +171,12 @@ std::vector<std::string> viewing_lines(const Lenticular& sheet) {
   if (!lens.is_finite()) return out;
   if (std::isfinite(viewing.zone)) {
     out.back() += "; at " + brief(lens.view_distance) + " mm the zone to view it from is " +
-                  brief(viewing.zone) + " mm wide, and a view " +
-                  brief(viewing.zone / lens.pixels) + " mm";
+                  brief(viewing.zone) + (lies_across(asked) ? " mm high" : " mm wide") +
+                  ", and a view " + brief(viewing.zone / lens.pixels) + " mm";
+  }
+  if (lies_across(asked)) {
+    out.emplace_back("Both eyes see the same view: lenses that lie across show two eyes no depth");
+    return out;
   }
   if (!are_in_zone(viewing, lens.pixels)) return out;
   if (sheet.sheet().views() > 0) {
@@ -204,15 +219,21 @@ std::vector<std::string> report_of(const Lenticular& sheet, const LensRequest& a
   const auto append = [&out](std::vector<std::string> lines) {
     for (std::string& line : lines) out.push_back(std::move(line));
   };
-  out.push_back("Lens sheet " + size_text(sheet.sheet().sheet_width(), sheet.sheet_height()) +
-                ", " + format(sheet.sheet().counted_lenses()) + " lenses, " +
+  const auto size = upright(asked, sheet.sheet().sheet_width(), sheet.sheet_height());
+  const auto print = upright(asked, sheet.print_width(), sheet.print_height());
+  out.push_back("Lens sheet " + size_text(size.first, size.second) + ", " +
+                format(sheet.sheet().counted_lenses()) + " lenses, " +
                 format(lens.lenses_per_inch()) + " lpi, " + format(lens.pixels) + " pixels a lens");
-  out.push_back("Print " + size_text(sheet.print_width(), sheet.print_height()) + ", " +
-                format(sheet.print_dpi_x()) + " x " + format(sheet.print_dpi_y()) + " ppi, pitch " +
+  if (lies_across(asked)) {
+    out.emplace_back("The lenses lie across: view 0 is seen from below, the last one from above");
+  }
+  out.push_back("Print " + size_text(print.first, print.second) + ", " +
+                format(sheet.print_dpi_x()) + " x " + format(sheet.print_dpi_y()) +
+                (lies_across(asked) ? " ppi across and along the lenses, pitch " : " ppi, pitch ") +
                 format(lens.print_pitch()) + " mm");
-  if (asked.size) out.push_back(size_line(sheet, *asked.size));
+  if (asked.size) out.push_back(size_line(sheet, asked));
   append(lens_lines(sheet, asked));
-  append(viewing_lines(sheet));
+  append(viewing_lines(sheet, asked));
   append(missing_lines(sheet, asked));
   return out;
 }
@@ -272,7 +293,7 @@ std::vector<std::string> jump_warnings(const Lenticular& sheet, const VisibleDep
 
 std::vector<std::string> viewing_warnings(const Lenticular& sheet, const LensRequest& asked) {
   const LensParameters& lens = sheet.sheet().lens();
-  if (!asked.view_distance || !lens.is_finite()) return {};
+  if (!asked.view_distance || !lens.is_finite() || lies_across(asked)) return {};
   const Viewing viewing = viewing_of(sheet);
   if (!are_in_zone(viewing, lens.pixels)) {
     return {"reversed: at " + format(lens.view_distance) +

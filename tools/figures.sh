@@ -61,6 +61,14 @@ figures() {
      pdftoppm -r 50 -gray -png -singlefile out/pitch.pdf docs/print/pitch;
      lentray-print sheet out/sheet.png --bleed 3mm --out out/page.pdf;
      pdftoppm -r 68 -png -singlefile out/page.pdf docs/print/page'
+  $1 flip-picture docs/tutorial-flip.md '(1 min)' \
+    'lentray scenes/mill.pov +W1200 +H900 +A0.1 +Oout/day.png;
+     lentray scenes/mill.pov +W1200 +H900 +A0.1 +Oout/night.png Declare=Night=1;
+     lentray-views --interlace out/day.png out/night.png --across --lens-sheet 40lpi --dpi 600
+       --size 100x75mm --view-distance 40cm --out out/flip.png;
+     lentray-views out/flip.png --eye=-8 --size 240x180 --out out/below.png;
+     lentray-views out/flip.png --eye 8 --size 240x180 --out out/above.png;
+     oiiotool out/below.png out/above.png --mosaic:pad=4 2x1 -o docs/print/flip.png' print/flip.png
   $1 quilt-picture docs/views.md '(1 min)' \
     'lentray scenes/demo.pov Quilt=5x3 Quilt_Tile=64x48 View_Cone=25 +A0.1 +Odocs/display/quilt.png'
   $1 depth-drawing docs/depth.md '1 s' \

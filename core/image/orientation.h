@@ -12,7 +12,8 @@ StoredImage rearranged(const StoredImage& image, const std::vector<std::uint32_t
                        const std::vector<std::uint32_t>& rows);
 
 constexpr int kMirrored = 2;
-constexpr int kTurned = 6;  ///< a quarter turn clockwise
+constexpr int kTurned = 6;      ///< a quarter turn clockwise
+constexpr int kTurnedBack = 8;  ///< and the other way round
 /// `orientation` 1 to 8: what the stored row 0 and column 0 are to the eye; 5 to 8 exchange width and height.
 /// Resolutions among the attributes are turned along.
 StoredImage upright(StoredImage image, int orientation);

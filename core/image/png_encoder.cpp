@@ -75,11 +75,43 @@ class PngEncoder final : public PictureEncoder {
       };
       png_set_pHYs(m_png, m_info, metric(data.dpi_x), metric(data.dpi_y), PNG_RESOLUTION_METER);
     }
+    if (data.orientation != 1) put_orientation(data.orientation);
     if (!data.software.empty()) add_text("Software", data.software);
     if (!data.description.empty()) add_text("Description", data.description);
     for (const auto& [name, value] : data.fields) add_text(name, value);
     png_write_info(m_png, m_info);
     if (spec.bits == 16 && std::endian::native == std::endian::little) png_set_swap(m_png);
+  }
+
+  /// An Exif block of that tag alone: a TIFF head, a list of one short number, no other list.
+  void put_orientation(int orientation) {
+    png_byte exif[] = {'I',
+                       'I',
+                       42,
+                       0,
+                       8,
+                       0,
+                       0,
+                       0,
+                       1,
+                       0,
+                       0x12,
+                       0x01,
+                       3,
+                       0,
+                       1,
+                       0,
+                       0,
+                       0,
+                       static_cast<png_byte>(orientation),
+                       0,
+                       0,
+                       0,
+                       0,
+                       0,
+                       0,
+                       0};
+    png_set_eXIf_1(m_png, m_info, sizeof exif, exif);
   }
 
   /// libpng puts profiles to tests of its own, and leaves out with a warning what fails.

@@ -7,6 +7,7 @@
 #include <numeric>
 #include <stdexcept>
 
+#include "core/image/orientation.h"
 #include "core/image/srgb.h"
 #include "core/numeric/lens_columns.h"
 
@@ -209,6 +210,21 @@ std::vector<Thumbnail> view_thumbnails(const StoredImage& image, double lens_pix
   std::vector<std::vector<std::uint32_t>> choices;
   for (const double view : views) choices.push_back(view_columns(image.width, lens_pixels, view));
   return averages(image, std::move(choices), size);
+}
+
+Thumbnail upright(Thumbnail thumbnail, int orientation) {
+  if (orientation != kTurned) return thumbnail;
+  Thumbnail out{thumbnail.height, thumbnail.width, {}};
+  out.rgb.reserve(thumbnail.rgb.size());
+  for (std::uint32_t y = 0; y < out.height; ++y) {
+    for (std::uint32_t x = 0; x < out.width; ++x) {
+      const std::size_t row = thumbnail.height - 1 - x;
+      const auto from =
+          thumbnail.rgb.begin() + static_cast<std::ptrdiff_t>(3 * (row * thumbnail.width + y));
+      out.rgb.insert(out.rgb.end(), from, from + 3);
+    }
+  }
+  return out;
 }
 
 Thumbnail stacked(const std::vector<Thumbnail>& thumbnails) {

@@ -35,6 +35,9 @@ std::vector<Thumbnail> view_thumbnails(const StoredImage& image, double lens_pix
 /// lens is cut it is left out, so that all views show the same lenses.
 std::vector<std::uint32_t> view_columns(std::uint32_t width, double lens_pixels, double view);
 
+/// Turned as StoredImages are (core/image/orientation.h): 1 or kTurned.
+Thumbnail upright(Thumbnail thumbnail, int orientation);
+
 /// One below the other; all have one size.
 Thumbnail stacked(const std::vector<Thumbnail>& thumbnails);
 

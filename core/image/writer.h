@@ -54,6 +54,8 @@ struct ImageMetadata {
   /// Name and value of what is to be found in the file later, such as "lentray:lens_pitch".
   /// PNG: text chunks; OpenEXR: attributes; TIFF: lines "name=value" of the description.
   std::vector<std::pair<std::string, std::string>> fields;
+  /// 1 to 8: where the stored rows and columns begin to the eye (core/image/orientation.h). PNG, TIFF, JPEG, OpenEXR.
+  int orientation = 1;
   /// An ICC profile, which says alone what colours the samples are of. PNG, TIFF and JPEG.
   std::string profile{};
 };

@@ -151,8 +151,12 @@ constexpr OptionHelp kSheet[] = {
      "Slant of the lenses, as an angle or as its tangent (1/6); above 0 their tops lean to the "
      "right "
      "(0)."},
+    {"Lens_Direction", "up|across",
+     "How the lenses lie in the upright picture: upright, or across it, as for flips that are held "
+     "in the hand; the views are then seen from below to above (up)."},
     {"Print_DPI", "n[xn]",
-     "The same as the print's resolution in pixels an inch; with x along rows and downwards."},
+     "The same as the print's resolution in pixels an inch; with x across the lenses and along "
+     "them."},
     {"Sheet_Width", "mm",
      "Of the lens sheet. With the height and a resolution it gives the picture its columns and "
      "rows."},

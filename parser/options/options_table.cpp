@@ -540,6 +540,7 @@ constexpr OptionRow kTable[] = {
              "at least one pixel a lens is expected">,
      kPicture},
     {"Lens_Slant", "", {sheet_option::slant, sheet_option::write_slant}, kPicture},
+    {"Lens_Direction", "", {sheet_option::direction, sheet_option::write_direction}, kPicture},
     {"Print_DPI", "", {sheet_option::print_dpi, sheet_option::write_print_dpi}, kPicture},
     {"Sheet_Width", "", kLengthMm<&Options::sheet_width>, kPicture},
     {"Sheet_Height", "", kLengthMm<&Options::sheet_height>, kPicture},

@@ -25,6 +25,11 @@ void slant(Options& o, const Given& g) {
   if (!o.lens.slant) refuse(g, camera::kSlantExpected);
 }
 
+void direction(Options& o, const Given& g) {
+  constexpr std::string_view kThere[] = {"up", "across"};
+  o.lens.across = choice(g, "direction of lenses", kThere) == kThere[1];
+}
+
 void print_dpi(Options& o, const Given& g) {
   const std::size_t times = g.value.find_first_of("xX");
   o.lens.print_dpi = positive(part_of(g, g.value.substr(0, times)));
@@ -84,6 +89,10 @@ void model(Options& o, const Given& g) {
 
 void write_slant(const Options& o, std::string_view name, IniLines& out) {
   if (o.lens.slant) out.line(name, IniLines::text_of(*o.lens.slant) + "/1");
+}
+
+void write_direction(const Options& o, std::string_view name, IniLines& out) {
+  if (o.lens.across) out.line(name, *o.lens.across ? "across" : "up");
 }
 
 void write_print_dpi(const Options& o, std::string_view name, IniLines& out) {

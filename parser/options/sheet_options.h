@@ -12,6 +12,8 @@ namespace lentray::parser::sheet_option {
 void sheet(RenderOptions& o, const GivenOption& g);
 /// Degrees, or a tangent as a fraction.
 void slant(RenderOptions& o, const GivenOption& g);
+/// up or across.
+void direction(RenderOptions& o, const GivenOption& g);
 /// Pixels an inch along rows, and perhaps x and those downwards.
 void print_dpi(RenderOptions& o, const GivenOption& g);
 /// mm or inf.
@@ -26,6 +28,7 @@ void depth_budget(RenderOptions& o, const GivenOption& g);
 void front(RenderOptions& o, const GivenOption& g);
 void model(RenderOptions& o, const GivenOption& g);
 
+void write_direction(const RenderOptions& o, std::string_view name, IniLines& out);
 void write_slant(const RenderOptions& o, std::string_view name, IniLines& out);
 void write_print_dpi(const RenderOptions& o, std::string_view name, IniLines& out);
 void write_depth_budget(const RenderOptions& o, std::string_view name, IniLines& out);

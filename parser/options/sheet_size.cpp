@@ -48,28 +48,35 @@ void expect(const RenderOptions& o, std::int64_t given, double exact, const char
                               o, {name, std::string("Sheet_") + name, "Print_DPI", "Lens_Pixels"}));
 }
 
-void fit(RenderOptions& o, double width, double height) {
-  camera::SheetSize size{width, height, o.print_dpi_down, false};
+/// A side of the upright picture: pixels, whether they were given, mm, and how options and pixels are called.
+struct Side {
+  std::int64_t& pixels;
+  const bool is_given;
+  const double mm;
+  const char *name, *lines;
+};
+
+/// The lenses' pitch, N and the first number of Print_DPI are those of `across` the lenses.
+void fit(RenderOptions& o, const Side& across, const Side& along) {
+  camera::SheetSize size{across.mm, along.mm, o.print_dpi_down, false};
   const bool resolved = o.lens.print_dpi || o.lens.pixels;
-  if (!resolved && (o.width_given || o.height_given)) {
+  if (!resolved && (across.is_given || along.is_given)) {
     const double pitch = camera::solve(o.lens).pitch;
-    o.lens.pixels = (o.width_given ? static_cast<double>(o.width) / width
-                                   : static_cast<double>(o.height) / height) *
-                    pitch;
+    const Side& given = across.is_given ? across : along;
+    o.lens.pixels = static_cast<double>(given.pixels) / given.mm * pitch;
   }
-  size.rows_fill_it = o.height_given && (o.width_given || resolved) && !o.lens.print_dpi;
+  size.rows_fill_it = along.is_given && (across.is_given || resolved) && !o.lens.print_dpi;
   const camera::ExactPixels exact = camera::exact_pixels(o.lens, size);
-  const std::string along = resolved ? resolution_text(o) : "";
-  if (!o.width_given) {
-    o.width = whole(o, exact.columns, "columns");
+  if (!across.is_given) {
+    across.pixels = whole(o, exact.columns, across.lines);
   } else if (resolved) {
-    expect(o, o.width, exact.columns, "Width", width, along);
+    expect(o, across.pixels, exact.columns, across.name, across.mm, resolution_text(o));
   }
-  if (!o.height_given) {
-    o.height = whole(o, exact.rows, "rows");
+  if (!along.is_given) {
+    along.pixels = whole(o, exact.rows, along.lines);
   } else if (o.lens.print_dpi) {
     const double down = o.print_dpi_down.value_or(*o.lens.print_dpi);
-    expect(o, o.height, exact.rows, "Height", height, format(down) + " pixels an inch");
+    expect(o, along.pixels, exact.rows, along.name, along.mm, format(down) + " pixels an inch");
   }
   o.lens.size = size;
 }
@@ -90,7 +97,10 @@ void fit_picture_to_sheet(RenderOptions& o) {
         {"Print_DPI"}));
   }
   try {
-    fit(o, *o.sheet_width, *o.sheet_height);
+    const Side width{o.width, o.width_given, *o.sheet_width, "Width", "columns"},
+        height{o.height, o.height_given, *o.sheet_height, "Height", "rows"};
+    const bool is_across = o.lens.across.value_or(false);
+    fit(o, is_across ? height : width, is_across ? width : height);
   } catch (const camera::CameraError& error) {
     throw OptionError(with_said(error.what(), o, error.about()));
   }

@@ -60,6 +60,11 @@ void settle_quilt(RenderOptions& o) {
   ViewOptions& v = o.views;
   const QuiltGrid& quilt = *v.quilt;
   if (o.view) throw OptionError("Quilt= has all views: View= does not go with it");
+  if (o.lens.across.value_or(false)) {
+    throw OptionError(
+        "Quilt= is for displays, whose views lie beside each other: Lens_Direction=across does not "
+        "go with it");
+  }
   if (v.clocks) throw OptionError("View_Clock= does not go with Quilt=, which is one picture");
   if (v.count && *v.count != quilt.views()) {
     throw OptionError("Views=" + std::to_string(*v.count) + " and a quilt of " +

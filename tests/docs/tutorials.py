@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Runs the commands of docs/tutorial-print.md and docs/tutorial-display.md as they stand there, one after another in an
+"""Runs the commands of docs/tutorial-print.md, -flip.md and -display.md as they stand there, one after another in an
 empty folder, and looks at what they leave.
 
     tutorials.py [--bin build/release/bin] [--full] [word ...]
@@ -20,6 +20,10 @@ import sys
 import tempfile
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
+sys.path.insert(0, str(ROOT / "tests/support"))
+
+import pictures  # noqa: E402
+
 MOST_COMMANDS = 5  # from nothing to the page to print
 MOST_PICTURE = 100_000  # bytes
 # Options of the pages and smaller ones. Each must be on a page, or it is out of date.
@@ -125,6 +129,12 @@ class Tutorial:
         return struct.unpack(">II", head[16:24])
 
 
+def brightness_of(file):
+    """The mean of a PNG file's samples."""
+    samples = [value for row in pictures.read_png(file.read_bytes())[0] for pixel in row for value in pixel]
+    return sum(samples) / len(samples)
+
+
 def said_by(told, *words):
     """What the command that has these words said."""
     found = [text for command, text in told.items() if all(word in command for word in words)]
@@ -162,6 +172,36 @@ def check_print(tutorial, page):
     expect("<canvas" in (tutorial.folder / "sheet.html").read_text(encoding="utf-8"), "the preview")
 
 
+def parts_of(page):
+    """Its parts, each with its head."""
+    return re.split(r"^(?=## )", page.read_text(encoding="utf-8"), flags=re.M)[1:]
+
+
+def check_flip(tutorial, page):
+    told = tutorial.run_page(page)
+    for part in parts_of(page):
+        commands = [line for line in re.findall(r"^    (lentray\S* )", part, re.M)]
+        if "lentray-print " in commands:
+            to_page = commands.index("lentray-print ") + 1
+            expect(to_page <= MOST_COMMANDS, f"{to_page} commands to the page: {part[:60]}")
+    text = page.read_text(encoding="utf-8")
+    report = said_by(told, "day.png night.png")
+    expect("'day.png', is seen from below, the last, 'night.png', from above" in report, report)
+    expect("lower edge turns away" in report and "lower edge turns away" in " ".join(text.split()), report)
+    for name in ("flip.pdf", "phases.pdf"):
+        check_pdf(tutorial.folder / name)
+    wiggle = said_by(told, "--wiggle")
+    views = re.search(r"(\d+) frames of 640 x 480 pixels", wiggle)
+    expect(views, wiggle)
+    if tutorial.is_full:
+        expect(int(views[1]) == 15, wiggle)
+    expect("<canvas" in (tutorial.folder / "flip.html").read_text(encoding="utf-8"), "the preview")
+    # An eye below sees day, one above night.
+    for seen, picture in (("below.png", "day.png"), ("above.png", "night.png")):
+        ours, theirs = (brightness_of(tutorial.folder / name) for name in (seen, picture))
+        expect(abs(ours - theirs) < 0.05 * theirs, f"{seen}: {ours}, {picture}: {theirs}")
+
+
 def check_display(tutorial, page):
     told = tutorial.run_page(page)
     for name, size in (("demo_qs8x6a0.75.png", (3360, 3360)), ("demo_qs5x3a1.3333.png", (2000, 900))):
@@ -192,7 +232,7 @@ def main():
     parser.add_argument("--full", action="store_true")
     args = parser.parse_args()
     failed, used = 0, set()
-    for name, check in (("print", check_print), ("display", check_display)):
+    for name, check in (("print", check_print), ("flip", check_flip), ("display", check_display)):
         if args.words and not any(word in name for word in args.words):
             continue
         page = ROOT / f"docs/tutorial-{name}.md"

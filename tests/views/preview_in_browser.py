@@ -22,6 +22,8 @@ SHEETS = {
     "near": ["Lens_Pixels=8", "+W480", "+H60", "View_Distance=300"],
     # Parallel views, Snell's law, a fractional number, a last lens that is cut.
     "far": ["Lens_Pixels=7.37", "+W450", "+H60", "View_Distance=inf"],
+    # On its side, seen from below to above.
+    "across": ["Lens_Pixels=6", "+W80", "+H240", "View_Distance=300", "Lens_Direction=across"],
 }
 # What the picture of another program needs to be told.
 OTHER = ["--lens-pixels", "6", "--lens-pitch", "0.5", "--lens-focal-length", "1.4", "--lens-ior", "1.57",
@@ -126,6 +128,20 @@ def check_two_eyes(page):
         page.settle()
         # A level: the page rounds sums of double precision, lentray-views of single precision.
         expect(page.difference([f"{name}.png", "--anaglyph", "--eye", "2.5", "--eyes", 30]) <= 1, f"{name}: anaglyph")
+
+
+def check_lenses_across(page):
+    """The picture is upright, and goes up and down; the page's angle is that below."""
+    page.show("across")
+    for angle in (0, 6.5, -9.2):
+        page.set("angle", angle)
+        equal(page.difference(["across.png", f"--eye={-angle},300"]), 0, f"from {angle} below")
+    expect("9.2° above" in page.one("#said").text, page.one("#said").text)
+    expect(not page.one("#modes").is_displayed(), "two eyes see the same")
+    page.one("#stage").send_keys(Keys.HOME)
+    at = page.angle()
+    page.one("#stage").send_keys(Keys.ARROW_DOWN)
+    equal(round(page.angle() - at, 3), 1, "an arrow down goes down")
 
 
 def check_other_programs(page):
@@ -374,8 +390,8 @@ def make_files(page):
     (page.folder / "<b>.png").write_bytes((page.folder / "near.png").read_bytes())
     page.program("lentray-views", "<b>.png", "--preview", "<b>.html")
     # Without a word of its sheet: a picture of pixels alone.
-    page.program("lentray-views", *["near.png"] * 2, "--interlace", "--lens-pixels", 2, "--size", "240x90", "--out",
-                 "words.png")
+    page.program("lentray-views", *["near.png"] * 2, "--interlace", "--take-any", "--lens-pixels", 2, "--size", "240x90",
+                 "--out", "words.png")
     head, bytes_ = b"\x89PNG\r\n\x1a\n", (page.folder / "words.png").read_bytes()[8:]
     while bytes_:
         length = int.from_bytes(bytes_[:4], "big") + 12

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <utility>
 
 #include "core/image/jpeg_inks.h"
@@ -44,6 +45,13 @@ void add_words(const PhotoTags& tags, StoredImage& image) {
   image.attributes.try_emplace("YResolution", std::to_string(tags.dpi_y));
 }
 
+/// OpenEXR files have it among their attributes.
+int orientation_of(const PhotoTags& tags, const StoredImage& image) {
+  const auto said = image.attributes.find("Orientation");
+  if (tags.orientation != 1 || said == image.attributes.end()) return tags.orientation;
+  return std::atoi(said->second.c_str());
+}
+
 }  // namespace
 
 Profiles profiles_in(const parser::GivenOption& given) {
@@ -67,7 +75,8 @@ StoredImage PhotoReader::read(const std::filesystem::path& path) {
          "; colours are taken for sRGB");
   }
   if (tags.is_jpeg) add_words(tags, image);
-  return core::upright(std::move(image), tags.orientation);
+  const int orientation = orientation_of(tags, image);
+  return core::upright(std::move(image), orientation);
 }
 
 void PhotoReader::use_profile(StoredImage& image, const std::string& profile,

@@ -1,5 +1,6 @@
 #include "tools/common/sheet_facts.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
 #include <sstream>
@@ -42,6 +43,18 @@ double number_of(const Facts& facts, const std::string& name) {
   if (found == facts.end()) return 0.0;
   const double value = std::strtod(found->second.c_str(), nullptr);
   return std::isfinite(value) ? value : 0.0;
+}
+
+bool is_integral(const Facts& facts) {
+  constexpr const char* kTakenOut[] = {"lens.view", "lens.lens", "quilt.columns",
+                                       "eye.angle_degrees", "stereo"};
+  return facts.contains("lens.pixels") &&
+         std::ranges::none_of(kTakenOut, [&](const char* key) { return facts.contains(key); });
+}
+
+bool lies_across(const Facts& facts) {
+  const auto said = facts.find("lens.lenses_lie");
+  return said != facts.end() && said->second == "across";
 }
 
 std::string damage_of(const core::StoredImage& image, const Facts& facts, const std::string& name) {

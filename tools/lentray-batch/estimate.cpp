@@ -32,7 +32,7 @@ Estimate bare(const Job& job) {
                                       o.dither_type == core::DitherMethod::plane ||
                                       o.dither_type == core::DitherMethod::floyd_steinberg);
   if (!is_part && !passes_on && o.type == core::FileType::png)
-    e.rows = static_cast<std::int64_t>(size_of(o).height);
+    e.rows = static_cast<std::int64_t>(rows_of_file(o));
   if (o.antialias) {
     core::Antialiasing how;
     how.method = o.sampling_method;

@@ -179,6 +179,13 @@ PictureSize size_of(const parser::RenderOptions& o) {
   return {static_cast<double>(o.width), static_cast<double>(o.height)};
 }
 
+double rows_of_file(const parser::RenderOptions& o) {
+  const bool is_view = o.view || o.animation.views.count > 0;
+  const bool is_on_its_side = o.lenticular && o.lens.across.value_or(false) && !is_view;
+  const PictureSize size = size_of(o);
+  return is_on_its_side ? size.width : size.height;
+}
+
 std::string band_picture(const std::string& picture, int index) {
   return ".lentray-batch/bands/" + picture + "." + std::to_string(index) +
          fs::path(picture).extension().string();
@@ -230,8 +237,8 @@ double Job::room(bool with_journal) const {
   constexpr double kColours = 24.0;  ///< bytes of a pixel in the journal; of samples as many
   double pixels = size_of(m_options).pixels();
   if (m_band) {
-    pixels *= static_cast<double>(m_band->last_row - m_band->first_row + 1) /
-              static_cast<double>(m_options.height);
+    pixels *=
+        static_cast<double>(m_band->last_row - m_band->first_row + 1) / rows_of_file(m_options);
   }
   const double sample = m_options.bits > 16 ? 4.0 : m_options.bits > 8 ? 2.0 : 1.0;
   const double journal = with_journal ? kColours * (m_options.antialias ? 2.0 : 1.0) : 0.0;
@@ -534,6 +541,8 @@ void Job::read_statistics() {
   all.at("not_rendered").get_to(m_row.left_out);
   const bool is_other = m_options.view || is_view() || m_options.views.quilt;
   m_row.lens_pixels = is_other ? 0.0 : all.value("/lens/pixels"_json_pointer, 0.0);
+  const bool is_across = all.value("/lens/lenses_lie"_json_pointer, std::string()) == "across";
+  if (is_across && !is_other) std::swap(m_row.width, m_row.height);
 }
 
 bool Job::needs_views() const {

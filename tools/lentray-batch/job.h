@@ -151,6 +151,8 @@ struct PictureSize {
 };
 /// Of a view its own size, not that of the integral image.
 PictureSize size_of(const parser::RenderOptions& options);
+/// Of the file, in which an integral image whose lenses lie across is on its side.
+double rows_of_file(const parser::RenderOptions& options);
 /// The word that names a scene in its own folder.
 std::string word_of(const Scene& scene);
 /// The scene's folder, held, becomes the program's current folder. Throws std::runtime_error if it leads out of a

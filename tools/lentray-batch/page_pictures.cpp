@@ -4,6 +4,8 @@
 #include <exception>
 #include <optional>
 
+#include "core/image/orientation.h"
+#include "core/image/photo_tags.h"
 #include "core/image/reader.h"
 #include "core/image/thumbnail.h"
 #include "tools/common/page_text.h"
@@ -100,44 +102,54 @@ class PictureFile {
   PictureFile(ThumbnailStore& store, fs::path path) : m_store(store), m_path(std::move(path)) {}
 
   std::string whole(std::uint32_t side, std::size_t most) {
-    return kept("whole " + std::to_string(side), most, [side](const StoredImage& image) {
-      return core::thumbnail_of(image, size_within(image.width, image.height, image.width, side));
+    return kept("whole " + std::to_string(side), most, [side, this](const StoredImage& image) {
+      return core::upright(
+          core::thumbnail_of(image, size_within(image.width, image.height, image.width, side)),
+          m_orientation);
     });
   }
   std::string middle(double lens_pixels, std::uint32_t side, std::size_t most) {
     return kept(
         "middle " + std::to_string(lens_pixels) + ' ' + std::to_string(side), most,
-        [=](const StoredImage& image) { return views(image, lens_pixels, 1, side, false); });
+        [=, this](const StoredImage& image) { return views(image, lens_pixels, 1, side, false); });
   }
   /// Frames begin where JPEG's blocks do, so that they do not run into each other.
   std::string tilt(double lens_pixels, int count, std::uint32_t side, std::size_t most) {
     return kept("tilt " + std::to_string(lens_pixels) + ' ' + std::to_string(count) + ' ' +
                     std::to_string(side),
-                most, [=](const StoredImage& image) {
+                most, [=, this](const StoredImage& image) {
                   return views(image, lens_pixels, count, side, true);
                 });
   }
 
  private:
-  static Thumbnail views(const StoredImage& image, double lens_pixels, int count,
-                         std::uint32_t side, bool in_blocks) {
+  /// Those of a sheet on its side stand upright.
+  Thumbnail views(const StoredImage& image, double lens_pixels, int count, std::uint32_t side,
+                  bool in_blocks) const {
     ThumbnailSize size =
         size_within(image.width, image.height, columns_of_view(image.width, lens_pixels), side);
-    if (in_blocks) size.height = std::max(kBlock, size.height / kBlock * kBlock);
-    return core::stacked(
-        core::view_thumbnails(image, lens_pixels, views_from_left_eye(lens_pixels, count), size));
+    std::uint32_t& rows = m_orientation == core::kTurned ? size.width : size.height;
+    if (in_blocks) rows = std::max(kBlock, rows / kBlock * kBlock);
+    std::vector<Thumbnail> all =
+        core::view_thumbnails(image, lens_pixels, views_from_left_eye(lens_pixels, count), size);
+    for (Thumbnail& one : all) one = core::upright(std::move(one), m_orientation);
+    return core::stacked(all);
   }
 
   template <typename Make>
   std::string kept(const std::string& what, std::size_t most, const Make& make) {
     return base64(m_store.kept(m_path, what + ' ' + std::to_string(most), [&] {
-      if (!m_image) m_image = core::read_image(m_path);
+      if (!m_image) {
+        m_image = core::read_image(m_path);
+        m_orientation = core::photo_tags(m_path).orientation;
+      }
       return jpeg_within(make(*m_image), most);
     }));
   }
 
   ThumbnailStore& m_store;
   fs::path m_path;
+  int m_orientation = 1;
   std::optional<StoredImage> m_image{};
 };
 

@@ -8,6 +8,7 @@
 
 #include "core/base/formed.h"
 #include "core/image/orientation.h"
+#include "core/image/photo_tags.h"
 #include "core/image/thumbnail.h"
 
 namespace lentray::batch {
@@ -38,10 +39,12 @@ std::vector<std::string> view_names(const std::string& picture, double lens_pixe
 int write_views(const fs::path& picture, double lens_pixels, const fs::path& folder,
                 const std::vector<std::string>& names) try {
   const core::StoredImage integral = core::read_image(picture);
+  const int orientation = core::photo_tags(picture).orientation;
   for (std::size_t j = 0; j < names.size(); ++j) {
     const fs::path place = folder / names[j];
     fs::create_directories(place.parent_path());
-    core::write_stored(view_of(integral, lens_pixels, static_cast<std::uint32_t>(j)), place);
+    core::StoredImage view = view_of(integral, lens_pixels, static_cast<std::uint32_t>(j));
+    core::write_stored(core::upright(std::move(view), orientation), place);
   }
   return 0;
 } catch (const std::exception& error) {

@@ -7,6 +7,7 @@
 #include "core/base/formed.h"
 #include "core/image/compare.h"
 #include "core/image/display.h"
+#include "core/image/orientation.h"
 #include "core/image/reader.h"
 #include "core/image/run_files.h"
 #include "core/numeric/lens_columns.h"
@@ -170,7 +171,9 @@ Pair render_both(const Arguments& given) {
     const std::optional<std::uint32_t> view = a.options.view;
     if (view) std::cout << "view " << *view << " alone\n";
     render = [scene = a.scene, sheet = *sheet, way, view](const StockOptions& how) {
-      return view ? stock_view(scene, sheet, *view, how) : stock_integral(scene, sheet, way, how);
+      if (!view) return stock_integral(scene, sheet, way, how);
+      StoredImage picture = stock_view(scene, sheet, *view, how);
+      return sheet.turned_views ? core::upright(std::move(picture), core::kTurned) : picture;
     };
     if (!view) pair.lens_pixels = sheet->pixels;
   }

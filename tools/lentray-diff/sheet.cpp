@@ -138,7 +138,9 @@ std::optional<Sheet> sheet_of(const json& statistics) {
   s.columns = lens.contains("view")
                   ? static_cast<std::uint32_t>(std::lround(number(lens, "lenses") * s.pixels))
                   : tool::whole_of<std::uint32_t>(image.at("width"));
-  s.rows = tool::whole_of<std::uint32_t>(image.at("height"));
+  // Pictures of views are upright, also where the sheet is on its side.
+  s.turned_views = lens.contains("view") && lens.value("lenses_lie", "") == "across";
+  s.rows = tool::whole_of<std::uint32_t>(image.at(s.turned_views ? "width" : "height"));
   if (std::abs(dot(s.right, s.direction)) > 1e-9 || std::abs(dot(s.up, s.direction)) > 1e-9) {
     throw std::runtime_error("\"lens.direction\" is not perpendicular to the sheet");
   }

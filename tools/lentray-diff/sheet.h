@@ -39,6 +39,7 @@ struct Sheet {
   /// D, scene units; infinite: parallel rays. Empty: the viewer's eye sees the scene.
   std::optional<double> scene_distance{};
   bool paraxial = false;
+  bool turned_views = false;  ///< the sheet is on its side, its views' pictures are upright
   std::uint32_t columns = 0, rows = 0;  ///< the integral image, W x H
 
   bool is_finite() const;

@@ -8,6 +8,7 @@
 #include <stdexcept>
 #include <string_view>
 
+#include "core/image/photo_tags.h"
 #include "core/image/stream_bytes.h"
 #include "core/image/writer.h"
 
@@ -133,6 +134,7 @@ core::PictureSpec spec_of(const PngHead& head, const std::filesystem::path& path
     spec.metadata.dpi_x = big(dots->data) * kInch;
     spec.metadata.dpi_y = big(std::string_view(dots->data).substr(4)) * kInch;
   }
+  if (find(head, "eXIf")) spec.metadata.orientation = core::photo_tags(path).orientation;
   for (const PngHead::Chunk& chunk : head.chunks) {
     if (chunk.type == "tEXt") spec.metadata.fields.push_back(text_of(chunk.data));
   }

@@ -210,6 +210,7 @@ struct Switch {
 constexpr Switch kSwitches[] = {{"--fine", kPitch | kPhase, &Arguments::fine},
                                 {"--mirror", kAll, &Arguments::mirror},
                                 {"--horizontal", kAll, &Arguments::horizontal},
+                                {"--across", kAll, &Arguments::across},
                                 {"--tiles", kSheet, &Arguments::tiles}};
 
 std::string options_of(unsigned command) {
@@ -303,6 +304,11 @@ void check_together(Arguments& a) {
     a.style.margin = a.margin.value_or(a.style.margin);
     return;
   }
+  if (a.across && a.command == Command::eye_test) {
+    throw OptionError(
+        "eye-test is of upright lenses: two eyes see the same of lenses that lie across");
+  }
+  a.horizontal |= a.across;
   if (!a.lens.lens_pitch)
     throw OptionError("--lpi L is missing, or --lens-pitch: the lenses of the sheet");
   if (a.command == Command::eye_test && a.focal_length == 0.0) {
@@ -377,7 +383,10 @@ Of all commands:
                        the views lie, and E along them, as Print_DPI has it
   --dpi-y E            the same as that E
   --mirror             as seen from behind, for prints on the lens sheet's back
-  --horizontal         turned by 90 degrees clockwise: lenses that lie across
+  --horizontal         the page, turned by 90 degrees clockwise
+  --across             the lenses lie across the page: of tests the same as
+                       --horizontal. Of sheets the picture stays upright and its
+                       strips are rows; pictures of lentray say it themselves
   --help, --version
 
 Of tests:

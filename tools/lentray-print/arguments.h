@@ -25,7 +25,7 @@ struct Arguments {
   // Of all commands.
   GivenLensData lens;                             ///< --lpi, --lens-pitch, --pixels, --dpi, --dpi-y
   bool dpi_says_both = false, has_dpi_y = false;  ///< how lens.dpi_y was given
-  bool mirror = false, horizontal = false;
+  bool mirror = false, horizontal = false, across = false;
 
   // Of test pages.
   std::optional<parser::Extent> size;

@@ -82,6 +82,13 @@ Report run_test(const Arguments& a) {
     report.lines.push_back(format(a.lens.dpi_x.value_or(kUsualDpi)) + " dpi across the lenses, " +
                            format(*a.lens.dpi_y) + " along them: print it so");
   }
+  if (a.command == Command::pitch_test) {
+    report.lines.push_back(
+        "The number that is read off is for lentray: Print_LPI=NUMBER View_Distance=V, with the "
+        "distance that the test was looked at from. Where a picture is there already, "
+        "lentray-print "
+        "sheet --pitch NUMBERlpi fits it");
+  }
   constexpr int kBits = 8;
   report.warnings = write_pages({{"", [&page] { return std::move(page); }}}, a.out, kBits);
   return report;

@@ -1,6 +1,7 @@
 #include "tools/lentray-print/marks.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "camera/text.h"
@@ -39,11 +40,18 @@ double free_length(double from, int direction, double along, const std::vector<B
   return length;
 }
 
+std::string joined_facts(const std::vector<LabelFact>& facts) {
+  std::string text;
+  for (const LabelFact& fact : facts) text += (text.empty() ? "" : "  |  ") + fact.text;
+  return text;
+}
+
 /// Puts marks around the art.
 class Marking {
  public:
   Marking(Page& page, const MarkedSheet& sheet, const LensData& data, Marks marks)
-      : m_page(page), m_sheet(sheet), m_data(data), m_room(mark_room(data, marks)) {}
+      : m_page(page), m_sheet(sheet), m_data(data),
+        m_room(mark_room(data, marks, sheet.is_across)) {}
 
   void put_crop_marks() {
     for (std::size_t i = 0; i < m_sheet.cuts.size(); ++i) {
@@ -60,21 +68,15 @@ class Marking {
   }
 
   void put_lines_beside() {
-    const std::int64_t before = m_sheet.lenses.lens_of(column_at(m_sheet.all.left));
-    const std::int64_t behind = std::max(
-        m_sheet.end_lens - before, m_sheet.lenses.lens_of(column_at(m_sheet.all.right()) - 1) + 1);
-    const std::int64_t left = before - m_room.gap_lenses, right = behind + m_room.gap_lenses;
-    const Grating sides[] = {between(left - m_room.line_lenses, left),
-                             between(right, right + m_room.line_lenses)};
-    const double px = m_page.pixel_width(), py = m_page.pixel_height();
+    const auto sides = side_gratings();
+    const double py = m_page.pixel_height();
     for (const Piece& rows : free_rows()) {
       const auto height = static_cast<std::uint32_t>(rows.end - rows.begin);
       for (const Grating& side : sides)
         m_page.pictures.push_back(grating(side, rows.begin, height, m_page));
       const double from = static_cast<double>(rows.begin) * py, length = height * py;
-      m_page.bars.push_back(
-          {sides[0].left * px - kMarkGap - m_room.bar_width, from, m_room.bar_width, length});
-      m_page.bars.push_back({sides[1].right * px + kMarkGap, from, m_room.bar_width, length});
+      m_page.bars.push_back({left_bar(), from, m_room.bar_width, length});
+      m_page.bars.push_back({right_bar(), from, m_room.bar_width, length});
     }
   }
 
@@ -90,36 +92,72 @@ class Marking {
     }
   }
 
-  /// As many facts as there is room for.
+  /// As many facts as there is room for. The strips' pitch and the resolution are what a print has to be printed with,
+  /// so they go last, after smaller letters were tried.
   void put_label() {
     const double left = m_sheet.all_cut.left + kCorner, right = m_sheet.all_cut.right() - kCorner;
     const double below = m_sheet.all.bottom() + kMarkGap + kLinesDepth + kLabelGap + kLabelHeight;
     const double above = m_sheet.all.top - kMarkGap - kLinesDepth - kLabelGap;
-    const std::string top = "TOP";
-    if (text_width(top, kLabelHeight) < right - left) {
-      add_text(m_page, top, {(left + right) / 2.0, above}, kLabelHeight, Align::centre);
+    if (text_width(kTop, kLabelHeight) < right - left) {
+      add_text(m_page, kTop, {(left + right) / 2.0, above}, kLabelHeight, Align::centre);
     }
-    std::vector<std::string> facts{m_sheet.name};
-    facts.push_back(std::to_string(m_sheet.end_lens) + " lenses");
-    facts.push_back("print " + format(m_data.print_lpi()) + " lpi, " +
-                    dpi_text(m_data.dpi_x, m_data.dpi_y));
+    const Label label = label_within(label_facts(), right - left);
+    add_text(m_page, label.text, {left, below}, label.height);
+  }
+
+  /// The same of a page that will be turned clockwise: what is its left now is its top then.
+  void put_label_across() {
+    const double top = m_sheet.all_cut.top + kCorner, bottom = m_sheet.all_cut.bottom() - kCorner;
+    const double width = text_width(kTop, kLabelHeight);
+    if (width < bottom - top) {
+      add_rising_text(kTop, {left_bar() - kLabelGap, (top + bottom + width) / 2.0}, kLabelHeight);
+    }
+    const Label label = label_within(label_facts(), bottom - top);
+    const double foot = right_bar() + m_room.bar_width + kLabelGap + kLabelHeight;
+    add_rising_text(label.text, {foot, bottom}, label.height);
+  }
+
+  std::vector<LabelFact> label_facts() const {
+    enum : int { kName = 3, kLenses = 2, kStrips = 6, kDpi = 5, kLens = 1, kSeen = 0, kSize = 4 };
+    std::vector<LabelFact> facts{{m_sheet.name, kName},
+                                 {std::to_string(m_sheet.end_lens) + " lenses", kLenses},
+                                 {"print " + format(m_data.print_lpi()) + " lpi", kStrips},
+                                 {dpi_text(m_data.dpi_x, m_data.dpi_y), kDpi}};
     if (m_data.lens) {
-      facts.push_back("lens " + format(m_data.lens->pitch) + " mm");
-      facts.push_back(m_data.lens->view_distance > 0.0
-                          ? "seen from " + format(m_data.lens->view_distance) + " mm"
-                          : "seen from far");
+      facts.push_back({"lens " + format(m_data.lens->pitch) + " mm", kLens});
+      facts.push_back({m_data.lens->view_distance > 0.0
+                           ? "seen from " + format(m_data.lens->view_distance) + " mm"
+                           : "seen from far",
+                       kSeen});
     }
-    facts.push_back("100 %");
-    std::string text;
-    for (const std::string& fact : facts) {
-      const std::string longer = text.empty() ? fact : text + "  |  " + fact;
-      if (text_width(longer, kLabelHeight) > right - left) break;
-      text = longer;
-    }
-    add_text(m_page, text, {left, below}, kLabelHeight);
+    facts.push_back({"100 %", kSize});
+    return facts;
   }
 
  private:
+  static constexpr const char* kTop = "TOP";
+
+  /// Before and behind all lenses.
+  std::array<Grating, 2> side_gratings() const {
+    const std::int64_t before = m_sheet.lenses.lens_of(column_at(m_sheet.all.left));
+    const std::int64_t behind = std::max(
+        m_sheet.end_lens - before, m_sheet.lenses.lens_of(column_at(m_sheet.all.right()) - 1) + 1);
+    const std::int64_t left = before - m_room.gap_lenses, right = behind + m_room.gap_lenses;
+    return {between(left - m_room.line_lenses, left), between(right, right + m_room.line_lenses)};
+  }
+  double left_bar() const {
+    return side_gratings()[0].left * m_page.pixel_width() - kMarkGap - m_room.bar_width;
+  }
+  double right_bar() const { return side_gratings()[1].right * m_page.pixel_width() + kMarkGap; }
+
+  /// From the bottom to the top.
+  void add_rising_text(const std::string& text, Point foot, double height) {
+    for (Stroke& stroke : text_strokes(text, {0.0, 0.0}, height)) {
+      for (Point& p : stroke.points) p = {foot.x + p.y, foot.y - p.x};
+      m_page.strokes.push_back(std::move(stroke));
+    }
+  }
+
   /// Rows or lenses, from one to before another.
   struct Piece {
     std::int64_t begin, end;
@@ -204,11 +242,26 @@ class Marking {
 
 }  // namespace
 
+Label label_within(std::vector<LabelFact> facts, double width) {
+  constexpr double kLeastHeight = 0.9;
+  constexpr std::size_t kLastTwo = 2;
+  const auto is_lower = [](const LabelFact& a, const LabelFact& b) { return a.weight < b.weight; };
+  while (!facts.empty()) {
+    const std::string text = joined_facts(facts);
+    const double needed = text_width(text, kLabelHeight);
+    if (needed <= width) return {text, kLabelHeight};
+    const double smaller = kLabelHeight * width / needed;
+    if (facts.size() <= kLastTwo && smaller >= kLeastHeight) return {text, smaller};
+    facts.erase(std::ranges::min_element(facts, is_lower));
+  }
+  return {};
+}
+
 std::int64_t whole_in(double length, double pitch) {
   return static_cast<std::int64_t>(std::ceil(length / pitch - 1e-9));
 }
 
-MarkRoom mark_room(const LensData& data, Marks marks) {
+MarkRoom mark_room(const LensData& data, Marks marks, bool is_across) {
   MarkRoom room;
   if (marks == Marks::none) return room;
   room.across = room.down = kMarkGap + kCropLength;
@@ -221,7 +274,9 @@ MarkRoom mark_room(const LensData& data, Marks marks) {
   room.across =
       std::max(room.across, static_cast<double>(room.gap_lenses + room.line_lenses) * pitch +
                                 data.print_pitch() + kMarkGap + room.bar_width);
-  room.down = std::max(room.down, kMarkGap + kLinesDepth + kLabelGap + kLabelHeight);
+  const double lines = kMarkGap + kLinesDepth, label = kLabelGap + kLabelHeight;
+  if (is_across) room.across += label;
+  room.down = std::max(room.down, is_across ? lines : lines + label);
   return room;
 }
 
@@ -232,7 +287,7 @@ void put_marks(Page& page, const MarkedSheet& sheet, const LensData& data, Marks
   if (marks == Marks::crop) return;
   marking.put_lines_beside();
   marking.put_lines_above();
-  marking.put_label();
+  sheet.is_across ? marking.put_label_across() : marking.put_label();
 }
 
 }  // namespace lentray::print

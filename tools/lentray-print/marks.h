@@ -24,7 +24,9 @@ struct MarkRoom {
   double bar_width = 0.0;
   double across = 0.0, down = 0.0;
 };
-MarkRoom mark_room(const LensData& data, Marks marks);
+/// `is_across`: the page is turned by a quarter when it is done, as for lenses that lie across. Words then stand where they
+/// are read upright on the turned page.
+MarkRoom mark_room(const LensData& data, Marks marks, bool is_across);
 
 /// What is marked, on the page.
 struct MarkedSheet {
@@ -34,7 +36,20 @@ struct MarkedSheet {
   core::LensColumns lenses;   ///< in the page's columns
   std::int64_t end_lens = 0;  ///< of all that is cut out; it begins with lens 0
   std::string name{};
+  bool is_across = false;
 };
+
+/// A part of the label; the heavier it is, the longer it stays where there is no room for all.
+struct LabelFact {
+  std::string text;
+  int weight = 0;
+};
+struct Label {
+  std::string text;
+  double height = 0.0;  ///< of its letters
+};
+/// As many facts as have room in that width; the last two in smaller letters, if it takes these. Empty: not even one.
+Label label_within(std::vector<LabelFact> facts, double width);
 
 void put_marks(Page& page, const MarkedSheet& sheet, const LensData& data, Marks marks);
 

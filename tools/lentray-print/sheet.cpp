@@ -70,7 +70,7 @@ PixelBox cut_of(const SheetArt& art, const LayoutPlace& place) {
 
 parser::Extent extent_with_marks(std::int64_t columns, std::int64_t rows, const LensData& data,
                                  const SheetStyle& style) {
-  const MarkRoom room = mark_room(data, style.marks);
+  const MarkRoom room = mark_room(data, style.marks, style.is_across);
   const double px = kInch / data.dpi_x, py = kInch / data.dpi_y;
   const auto beside = [&style](double marks, double pixel) {
     return 2.0 * std::ceil((marks + style.margin) / pixel - 1e-9);
@@ -89,11 +89,13 @@ bool holds(const parser::Extent& paper, const parser::Extent& needed, const Lens
 parser::Extent extent_of_page(const parser::Extent& needed, const LensData& data,
                               const SheetStyle& style) {
   if (!style.paper) return needed;
-  const parser::Extent upright = *style.paper, across{upright.height, upright.width};
+  // The page of lenses that lie across is turned when it is done.
+  parser::Extent upright = *style.paper, across{upright.height, upright.width};
+  if (style.is_across) std::swap(upright, across);
   if (holds(upright, needed, data)) return upright;
   if (holds(across, needed, data)) return across;
   throw PageError("the sheet needs " + size_in_mm(needed) +
-                  " with its marks and margins, and the paper has " + size_in_mm(upright) +
+                  " with its marks and margins, and the paper has " + size_in_mm(*style.paper) +
                   "; --tiles cuts it into pages");
 }
 
@@ -175,7 +177,10 @@ SheetPage sheet_page(std::vector<SheetArt> arts, const Layout& layout, const Len
   const std::int64_t right_by = (std::int64_t{page.columns()} - columns) / 2 - all.left;
   const std::int64_t down_by = (std::int64_t{page.rows()} - rows) / 2 - all.top;
   sheet.column = right_by + layout.places[0].column;
-  MarkedSheet marked{.lenses = layout.marks, .end_lens = layout.lenses, .name = style.name};
+  MarkedSheet marked{.lenses = layout.marks,
+                     .end_lens = layout.lenses,
+                     .name = style.name,
+                     .is_across = style.is_across};
   marked.lenses.origin += static_cast<double>(right_by);
   for (std::size_t i = 0; i < arts.size(); ++i) {
     const PixelBox box = box_of(arts[i], layout.places[i]).moved(right_by, down_by);

@@ -23,6 +23,7 @@ struct SheetStyle {
   double bleed = 0.0;  ///< printed beyond the trim; a whole number of lenses at the sides
   bool bleed_of_picture = false;  ///< the picture's own outer part; else its edges go on
   std::optional<double> gap;      ///< between pictures; none: kUsualGap, or what bleed needs
+  bool is_across = false;         ///< the page is turned when it is done (mark_room())
   bool is_seen_together = false;  ///< strips of one pitch over the whole sheet
   Marks marks = Marks::all;
   Colour background = kWhite;

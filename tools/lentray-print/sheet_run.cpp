@@ -5,7 +5,9 @@
 #include <utility>
 
 #include "camera/text.h"
+#include "core/image/orientation.h"
 #include "tools/common/photo_reader.h"
+#include "tools/common/sheet_facts.h"
 #include "tools/lentray-print/page_error.h"
 #include "tools/lentray-print/page_file.h"
 #include "tools/lentray-print/pixels.h"
@@ -74,6 +76,9 @@ class SheetRun {
 
   Report run() {
     read();
+    if (m_style.is_across && m_a.horizontal) {
+      say("the lenses lie across already: --horizontal changes nothing");
+    }
     if (m_a.print_pitch) fit_to_pitch();
     fill_places();
     choose_layout();
@@ -97,6 +102,9 @@ class SheetRun {
     for (const std::filesystem::path& path : m_a.images) {
       core::StoredImage image = m_reader.read(path);
       tool::use_srgb_curve(image);
+      if (lies_across(image, path, images.empty())) {
+        image = core::upright(std::move(image), core::kTurnedBack);
+      }
       const double slant = slant_in(image);
       if (images.empty()) first_slant = slant;
       if (slant != first_slant) {
@@ -132,6 +140,17 @@ class SheetRun {
     name_sheet();
   }
 
+  /// Strips are columns while the page is made, which is turned in the end.
+  bool lies_across(const core::StoredImage& image, const std::filesystem::path& path,
+                   bool is_first) {
+    const bool is_across = m_a.across || tool::lies_across(tool::facts_of(image));
+    if (is_first) m_style.is_across = is_across;
+    if (is_across == m_style.is_across) return is_across;
+    const std::string first = m_a.images[0].string(), own = path.string();
+    throw PageError("lenses lie across '" + (is_across ? own : first) + "' and upright in '" +
+                    (is_across ? first : own) + "': a lens sheet has one direction");
+  }
+
   void name_sheet() {
     constexpr std::size_t kMostNames = 3;
     for (std::size_t i = 0; i < std::min(kMostNames, m_sources.size()); ++i)
@@ -159,6 +178,12 @@ class SheetRun {
         m_a.grid && places > m_a.grid->places()) {
       refuse_grid(*m_a.grid, places);
     }
+  }
+
+  /// A grid of the page as it is seen, before the page is turned; and the other way round.
+  LayoutGrid of_page(LayoutGrid grid) const {
+    if (m_style.is_across) std::swap(grid.columns, grid.rows);
+    return grid;
   }
 
   [[noreturn]] static void refuse_grid(const LayoutGrid& grid, int pictures) {
@@ -200,9 +225,9 @@ class SheetRun {
     const bool is_limited = m_style.paper && !m_a.tiles;
     LayoutGrid grid;
     if (m_a.copies_grid) {
-      grid = *m_a.copies_grid;
+      grid = of_page(*m_a.copies_grid);
     } else if (m_a.grid) {
-      grid = *m_a.grid;
+      grid = of_page(*m_a.grid);
     } else if (count > 1) {
       grid = best(count, is_limited);
       if (grid.columns == 0) {
@@ -271,13 +296,14 @@ class SheetRun {
   void say_pictures(const SheetPage& sheet) {
     for (const SheetSource& source : m_sources) {
       if (source.cut_columns == 0) continue;
-      say(about(source) + "left out at the right: " + std::to_string(source.cut_columns) +
-          " pixels of a cut lens");
+      say(about(source) + "left out " + (m_style.is_across ? "below" : "at the right") + ": " +
+          std::to_string(source.cut_columns) + " pixels of a cut lens");
     }
     const Page& page = sheet.page;
     const auto pixels = [&](const Box& box) {
-      return std::to_string(std::llround(box.width / page.pixel_width())) + " x " +
-             std::to_string(std::llround(box.height / page.pixel_height())) + " pixels";
+      const std::string across = std::to_string(std::llround(box.width / page.pixel_width())),
+                        along = std::to_string(std::llround(box.height / page.pixel_height()));
+      return (m_style.is_across ? along + " x " + across : across + " x " + along) + " pixels";
     };
     const std::string lenses = std::to_string(m_layout.lenses) + " lenses of " +
                                format(m_data.pixels) + " pixels, " + strips_text();
@@ -285,16 +311,21 @@ class SheetRun {
       say("picture: " + pixels(page.trim) + ", " + lenses);
       return;
     }
-    say(std::to_string(m_places.size()) + " pictures in " + std::to_string(m_layout.grid.columns) +
-        " columns and " + std::to_string(m_layout.grid.rows) + " rows: " + pixels(page.trim) +
-        ", " + lenses);
+    const LayoutGrid seen = of_page(m_layout.grid);
+    say(std::to_string(m_places.size()) + " pictures in " + std::to_string(seen.columns) +
+        " columns and " + std::to_string(seen.rows) + " rows: " + pixels(page.trim) + ", " +
+        lenses);
     for (std::size_t i = 0; i < m_places.size(); ++i) {
       const auto at = static_cast<int>(i);
-      const Box& cut = sheet.cuts[i];
-      say("row " + std::to_string(at / m_layout.grid.columns + 1) + " column " +
-          std::to_string(at % m_layout.grid.columns + 1) + ": " + m_sources[m_places[i]].name +
-          ", " + size_text(cut.width, cut.height) + " at " + short_number(cut.left) + ", " +
-          short_number(cut.top) + " mm");
+      const Box& side = sheet.cuts[i];
+      const Box cut = m_style.is_across
+                          ? Box{page.height - side.bottom(), side.left, side.height, side.width}
+                          : side;
+      const int row = at / m_layout.grid.columns, column = at % m_layout.grid.columns;
+      say("row " + std::to_string((m_style.is_across ? column : row) + 1) + " column " +
+          std::to_string((m_style.is_across ? m_layout.grid.rows - 1 - row : column) + 1) + ": " +
+          m_sources[m_places[i]].name + ", " + size_text(cut.width, cut.height) + " at " +
+          short_number(cut.left) + ", " + short_number(cut.top) + " mm");
     }
     if (m_a.print_pitch || m_moved == 0.0) return;
     say("strips lie up to " + short_number(m_moved) +
@@ -302,7 +333,7 @@ class SheetRun {
   }
 
   void write_page(Page whole) {
-    Page page = finished(std::move(whole), m_a);
+    Page page = finished(std::move(whole), m_a, m_style.is_across);
     say("trimmed: " + size_text(page.trim.width, page.trim.height) + " at " +
         short_number(page.trim.left) + ", " + short_number(page.trim.top) + " mm" +
         (m_style.bleed > 0.0 ? "; with bleed " + size_text(page.bleed.width, page.bleed.height)
@@ -318,8 +349,10 @@ class SheetRun {
                   {.paper = *m_style.paper, .margin = m_style.margin, .overlap = m_a.overlap});
     std::vector<PageSource> pages;
     for (const Tile& tile : plan.tiles) {
-      pages.push_back({suffix_of(tile),
-                       [&, this] { return finished(tile_page(whole, plan, tile, m_bits), m_a); }});
+      pages.push_back({suffix_of(tile), [&, this] {
+                         return finished(tile_page(whole, plan, tile, m_bits), m_a,
+                                         m_style.is_across);
+                       }});
     }
     m_report.warnings = write_pages(pages, m_a.out, m_bits);
     say("whole sheet with its marks: " + size_text(whole.width, whole.height));
@@ -348,8 +381,8 @@ class SheetRun {
 
 }  // namespace
 
-Page finished(Page page, const Arguments& a) {
-  if (a.horizontal) page = turned(std::move(page));
+Page finished(Page page, const Arguments& a, bool is_across) {
+  if (a.horizontal || is_across) page = turned(std::move(page));
   if (a.mirror) page = mirrored(std::move(page));
   return page;
 }

@@ -10,7 +10,7 @@ namespace lentray::print {
 
 Report run_sheet(const Arguments& arguments);
 
-/// Mirrored and turned as the arguments have it.
-Page finished(Page page, const Arguments& arguments);
+/// Mirrored and turned as the arguments have it, or turned for pictures whose lenses lie across.
+Page finished(Page page, const Arguments& arguments, bool is_across = false);
 
 }  // namespace lentray::print

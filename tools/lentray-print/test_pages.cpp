@@ -179,8 +179,8 @@ Page pitch_test(const TestPaper& paper, std::vector<double> lpis) {
       "its "
       "lenses along the lines, and look from the final distance. Turn it until the bands stand "
       "upright. The band that turns dark or light as a whole has the right pitch: its number is "
-      "for "
-      "lentray-print sheet --pitch. One stripe over a band: its number is " +
+      "for Print_LPI= of lentray, or where the picture is there already for lentray-print sheet "
+      "--pitch. One stripe over a band: its number is " +
           with_decimals(kInch / length, 2) + " off.");
   const BandColumns columns =
       band_columns(page, field.left + label + 2.0, field.right - label - 2.0);

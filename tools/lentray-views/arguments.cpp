@@ -10,7 +10,9 @@
 #include "camera/lens_sheet.h"
 #include "camera/slanted_sheet.h"
 #include "parser/options/ini.h"
+#include "parser/options/option_access.h"
 #include "parser/options/own_option.h"
+#include "tools/lentray-views/lens_words.h"
 #include "tools/lentray-views/moving.h"
 
 namespace lentray::views {
@@ -61,8 +63,16 @@ Size sides_in(const GivenOption& given, std::uint32_t most, const char* expected
   return {(*both)[0], (*both)[1]};
 }
 
-Size size_in(const GivenOption& given) {
-  return sides_in(given, 1'000'000, "a size such as 420x560 is expected");
+/// Pixels, or of a lens sheet with its unit.
+void take_size(Arguments& a, const GivenOption& given) {
+  a.size.reset();
+  a.size_mm.reset();
+  if (given.value.find_first_not_of("0123456789x") != std::string::npos &&
+      given.value.find('x') != std::string::npos && !two_numbers(given.value, "x")) {
+    a.size_mm = parser::extent_mm(given);
+    return;
+  }
+  a.size = sides_in(given, 1'000'000, "a size such as 420x560 is expected");
 }
 
 void set_quilt(Arguments& a, const GivenOption& given) {
@@ -101,7 +111,7 @@ camera::LensModel lens_model_in(const GivenOption& given) {
 }
 
 double distance_in(const GivenOption& given) {
-  const double distance = given.value == "inf" ? 0.0 : parser::number(given);
+  const double distance = given.value == "inf" ? 0.0 : parser::length_mm(given);
   if (distance < 0.0) parser::refuse(given, "a distance of 0 or more is expected");
   return distance;
 }
@@ -117,6 +127,8 @@ double pixels_in(const GivenOption& given) {
   if (pixels < 1.0) parser::refuse(given, "at least one pixel a lens is expected");
   return pixels;
 }
+
+bool is_loop_in(const GivenOption& given) { return parser::is_second(given, "sway", "loop"); }
 
 bool is_given_order(const GivenOption& given) {
   return parser::is_second(given, "natural", "given");
@@ -135,6 +147,11 @@ struct Words : Arguments {
     task = chosen;
   }
 };
+
+/// What an option of lentray does that goes by its first name there, or by another here.
+template <parser::Word name>
+constexpr auto kLensWord =
+    [](Words& w, const GivenOption& g) { take_lens_word(w.lens_words, name.text, g); };
 
 using parser::set;
 template <auto Member>
@@ -173,17 +190,31 @@ constexpr parser::OwnOption<Words> kOptions[] = {
     {"Delay", set<&Words::delay, parser::whole_number, 10, kLongestDelay>},
     {"Out", set<&Words::out, parser::any_file>},
     {"Count", set<&Words::count, whole, 1u>},
-    {"Size", set<&Words::size, size_in>},
+    {"Size", [](Words& w, const GivenOption& g) { take_size(w, g); }},
     {"Filter", set<&Words::filter, filter_in>},
     {"Like", set<&Words::like, parser::any_file>},
     {"Aspect", set<of_sheet<&SheetOptions::aspect>, parser::positive>},
     {"Lens_Pixels", set<of_sheet<&SheetOptions::pixels>, pixels_in>},
-    {"Lens_Pitch", set<of_sheet<&SheetOptions::pitch>, parser::positive>},
-    {"Lens_Focal_Length", set<of_sheet<&SheetOptions::focal_length>, parser::positive>},
+    {"Lens_Pitch", set<of_sheet<&SheetOptions::pitch>, parser::positive_length_mm>},
+    {"Lens_Focal_Length", set<of_sheet<&SheetOptions::focal_length>, parser::positive_length_mm>},
     {"Lens_IOR", set<of_sheet<&SheetOptions::ior>, parser::positive>},
     {"Lens_Model", set<of_sheet<&SheetOptions::model>, lens_model_in>},
     {"View_Distance", set<of_sheet<&SheetOptions::view_distance>, distance_in>},
     {"Lens_Slant", set<of_sheet<&SheetOptions::slant>, slant_in>},
+    {"Lens_Sheet",
+     [](Words& w, const GivenOption& g) {
+       take_lens_word(w.lens_words, "Lens_Sheet", g);
+       if (w.lens_words.list_lens_sheets) w.choose(Task::kListSheets, "--lens-sheet list");
+     }},
+    {"Lpi", kLensWord<"Lens_LPI">},
+    {"Lens_LPI", kLensWord<"Lens_LPI">},
+    {"Print_LPI", kLensWord<"Print_LPI">},
+    {"Lens_Thickness", kLensWord<"Lens_Thickness">},
+    {"Lens_Radius", kLensWord<"Lens_Radius">},
+    {"Lens_Angle", kLensWord<"Lens_Angle">},
+    {"Dpi", kLensWord<"Print_DPI">},
+    {"Print_DPI", kLensWord<"Print_DPI">},
+    {"Motion", set<&Words::is_loop, is_loop_in>},
     {"Preview",
      [](Words& w, const GivenOption& g) {
        w.choose(Task::kPreview, "--preview");
@@ -197,10 +228,9 @@ constexpr parser::OwnOption<Words> kOptions[] = {
 constexpr std::pair<std::string_view, Task> kTasks[] = {
     {"--all", Task::kViews}, {"--stereo", Task::kStereo}, {"--interlace", Task::kInterlace}};
 constexpr std::pair<std::string_view, bool Arguments::*> kFlags[] = {
-    {"--between", &Arguments::between},
-    {"--one-zone", &Arguments::one_zone},
-    {"--from-left", &Arguments::from_left},
-    {"--square", &Arguments::square}};
+    {"--between", &Arguments::between},     {"--one-zone", &Arguments::one_zone},
+    {"--from-left", &Arguments::from_left}, {"--from-top", &Arguments::from_left},
+    {"--square", &Arguments::square},       {"--take-any", &Arguments::takes_any}};
 
 bool take_anaglyph(Words& w, const std::string& word) {
   w.choose(Task::kAnaglyph, "--anaglyph");
@@ -221,7 +251,13 @@ bool take_flag(Words& w, const std::string& word) {
   for (const auto& [name, member] : kFlags) {
     if (word == name) return w.*member = true;
   }
+  if (word == "--across") return w.sheet.across = true;
   return word.starts_with("--anaglyph") && take_anaglyph(w, word);
+}
+
+/// A lens sheet, in the words that say its pitch.
+bool says_lens(const Arguments& a) {
+  return !a.lens_words.lens_sheet.empty() || says_pitch(a.lens_words) || a.sheet.pitch;
 }
 
 void check_interlace(const Arguments& a) {
@@ -232,17 +268,33 @@ void check_interlace(const Arguments& a) {
   }
   if (a.task != Task::kInterlace) {
     if (!a.like.empty()) throw OptionError("--like is of --interlace");
+    if (a.takes_any) throw OptionError("--take-any is of --interlace");
+    if (a.size_mm) throw OptionError("a --size in mm is that of the lens sheet of --interlace");
     return;
   }
   if (a.pictures.size() < 2) throw OptionError("--interlace wants two pictures or more");
-  if (a.like.empty() && !a.sheet.pixels) {
-    throw OptionError("--interlace wants --like IMAGE, or --lens-pixels N");
+  if (a.like.empty() && !a.sheet.pixels && !(says_lens(a) && a.lens_words.lens.print_dpi)) {
+    throw OptionError(
+        "--interlace wants --like IMAGE, or --lens-pixels N, or --lens-sheet NAME (or --lpi L) "
+        "with "
+        "--dpi D");
+  }
+  if (!a.like.empty() && (says_lens(a) || a.lens_words.lens.print_dpi)) {
+    throw OptionError(
+        "--like says which lens sheet it is: leave out --lens-sheet, --lpi and --dpi");
+  }
+  if (a.like.empty() && !a.sheet.pixels && !a.size && !a.size_mm) {
+    throw OptionError("--size gives how large the lens sheet is, such as --size 100x75mm");
+  }
+  if (a.size_mm && !says_lens(a) && !a.sheet.pitch && !a.lens_words.lens.print_dpi) {
+    throw OptionError("a --size in mm needs --lens-sheet, --lpi or --dpi");
   }
   if (a.square) throw OptionError("--square is of views, not of --interlace");
 }
 
 /// What the options can only be judged on together.
 void check(Words& a) {
+  if (a.task == Task::kListSheets) return;
   if (a.pictures.empty()) {
     throw OptionError("no picture is given; lentray-views --help lists all options");
   }
@@ -263,6 +315,9 @@ void check(Words& a) {
     throw OptionError("--one-zone is of --stereo and --anaglyph, of eyes before a sheet");
   }
   if (a.pair && a.eye) throw OptionError("--pair and --eye contradict each other");
+  if (a.is_loop && a.task != Task::kWiggle && a.task != Task::kInterlace) {
+    throw OptionError("--motion is of --wiggle and --interlace");
+  }
   if (a.square && a.size) throw OptionError("--square and --size contradict each other");
   const bool is_for_screens = a.task == Task::kWiggle || a.task == Task::kPreview;
   if (a.profiles == tool::Profiles::kKeep && is_for_screens) {

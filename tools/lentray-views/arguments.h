@@ -7,6 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "parser/options/length.h"
+#include "parser/options/options.h"
 #include "tools/common/photo_reader.h"
 #include "tools/lentray-views/join.h"
 #include "tools/lentray-views/resize.h"
@@ -25,7 +27,8 @@ enum class Task {
   kAnaglyph,
   kWiggle,
   kPreview,
-  kInterlace
+  kInterlace,
+  kListSheets
 };
 
 struct Size {
@@ -53,14 +56,20 @@ struct Arguments {
   Anaglyph anaglyph = Anaglyph::kDubois;
   int delay = 100;           ///< ms
   double page_limit = 20.0;  ///< MB of a preview
-  bool from_left = false;    ///< pictures are from the leftmost camera to the rightmost
+  bool from_left =
+      false;  ///< pictures are from the leftmost camera to the rightmost, or from the highest down
   bool given_order = false;  ///< pictures stay in the order that they are given in
   tool::Profiles profiles = tool::Profiles::kSrgb;
   bool square = false;
-  std::optional<Size> size;  ///< of each view, or of the integral image
+  std::optional<Size> size;               ///< of each view, or of the integral image
+  std::optional<parser::Extent> size_mm;  ///< of the lens sheet of an integral image that is made
   Filter filter = Filter::kLanczos3;
   std::filesystem::path like;  ///< an integral image
+  /// Of --wiggle: the views begin again after the last one, or go to and fro; of --interlace: what the file says of it.
+  std::optional<bool> is_loop;
+  bool takes_any = false;  ///< --interlace: integral images too
   SheetOptions sheet;
+  parser::RenderOptions lens_words;  ///< what else is said of the lenses, in lentray's words
 };
 
 Arguments parse_arguments(const std::vector<std::string>& words);

@@ -90,11 +90,21 @@ function anaglyphOf(left, right) {
   return out;
 }
 
+/** A quarter turn clockwise: of a sheet whose lenses lie across, which is on its side here. */
+function upright(pixels) {
+  const out = new Uint32Array(pixels.length);
+  for (let row = 0, from = 0; row < data.rows; ++row) {
+    for (let i = 0; i < data.count; ++i) out[i * data.rows + data.rows - 1 - row] = pixels[from++];
+  }
+  return out;
+}
+
 function put(canvas, pixels) {
-  if (canvas.width !== data.count) canvas.width = data.count;
-  if (canvas.height !== data.rows) canvas.height = data.rows;
-  const bytes = new Uint8ClampedArray(pixels.buffer);
-  canvas.getContext("2d").putImageData(new ImageData(bytes, data.count, data.rows), 0, 0);
+  const [width, height] = data.is_across ? [data.rows, data.count] : [data.count, data.rows];
+  if (canvas.width !== width) canvas.width = width;
+  if (canvas.height !== height) canvas.height = height;
+  const bytes = new Uint8ClampedArray((data.is_across ? upright(pixels) : pixels).buffer);
+  canvas.getContext("2d").putImageData(new ImageData(bytes, width, height), 0, 0);
 }
 
 /** The angle of an eye of two, `side` of their distance to the right of the middle between them. */
@@ -128,8 +138,8 @@ function inTheMiddle(columns) {
   return column < 0 ? null : { zone: lensOf[column] - lens, pixel: stripOf[column] };
 }
 
-const degrees = (angle) => `${fixed(Math.abs(angle), 1)}°` + (Math.abs(angle) < 0.05 ? "" : angle > 0 ? " to the right" :
-  " to the left");
+const [kBeyond, kBefore] = data.is_across ? [" below", " above"] : [" to the right", " to the left"];
+const degrees = (angle) => `${fixed(Math.abs(angle), 1)}°` + (Math.abs(angle) < 0.05 ? "" : angle > 0 ? kBeyond : kBefore);
 
 function tellWhatIsSeen(seen) {
   const distance = distanceOfEyes(), places = seen.map(inTheMiddle);

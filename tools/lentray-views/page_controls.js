@@ -40,7 +40,8 @@ angleField.setAttribute("aria-valuetext", "");
 const edge = Math.min(kMost, data.viewing_angle / 2);
 function stepOfKey(event) {
   const step = event.shiftKey ? 0.1 : 1;
-  return { ArrowLeft: state.angle - step, ArrowRight: state.angle + step, PageDown: state.angle - 5,
+  const [less, more] = data.is_across ? ["ArrowUp", "ArrowDown"] : ["ArrowLeft", "ArrowRight"];
+  return { [less]: state.angle - step, [more]: state.angle + step, PageDown: state.angle - 5,
     PageUp: state.angle + 5, Home: -edge, End: edge, 0: 0 }[event.key];
 }
 stage.addEventListener("keydown", (event) => {
@@ -53,17 +54,29 @@ stage.addEventListener("keydown", (event) => {
   setAngle(Math.round(angle * 1000) / 1000);
 });
 
-// A drag over the stage's width goes through the viewing angle and a little more.
+// Where lenses lie across, eyes beside each other see the same: one is enough, and it goes up and down.
+if (data.is_across) {
+  byId("modes").hidden = true;
+  byId("apart").parentElement.hidden = true;
+  stage.style.cursor = "ns-resize";
+  stage.style.touchAction = "pan-x pinch-zoom";
+  stage.setAttribute("aria-orientation", "vertical");
+  byId("stage-help").textContent = byId("stage-help").textContent.replace("to the side", "up or down");
+}
+
+// A drag over the stage's width, or height, goes through the viewing angle and a little more.
 let drag = null;
+const placeOf = (event) => data.is_across ? event.clientY : event.clientX;
 stage.addEventListener("pointerdown", (event) => {
   if (event.button !== 0) return;
-  drag = { x: event.clientX, angle: state.angle, id: event.pointerId };
+  drag = { at: placeOf(event), angle: state.angle, id: event.pointerId };
   stopMoving();
 });
 stage.addEventListener("pointermove", (event) => {
   if (!drag || event.pointerId !== drag.id) return;
   if (!stage.hasPointerCapture(drag.id)) stage.setPointerCapture(drag.id);
-  setAngle(drag.angle + (event.clientX - drag.x) / stage.clientWidth * Math.min(120, 1.25 * data.viewing_angle));
+  const reach = data.is_across ? stage.clientHeight : stage.clientWidth;
+  setAngle(drag.angle + (placeOf(event) - drag.at) / reach * Math.min(120, 1.25 * data.viewing_angle));
 });
 for (const end of ["pointerup", "pointercancel"]) stage.addEventListener(end, () => { drag = null; });
 
@@ -104,9 +117,10 @@ function onDevice(event) {
   const now = axesOf(event);
   straight ||= now;
   const x = dot(now.z, straight.x), y = dot(now.z, straight.y), z = dot(now.z, straight.z);
-  const across = { 90: -y, 180: -x, 270: y }[screen.orientation?.angle] ?? x;
-  // A screen turned to the right is seen from further left.
-  setAngle(-Math.atan2(across, z) * 180 / Math.PI);
+  const turn = screen.orientation?.angle;
+  // A screen turned to the right is seen from further left, one turned up from further below.
+  const along = data.is_across ? { 90: x, 180: -y, 270: -x }[turn] ?? y : -({ 90: -y, 180: -x, 270: y }[turn] ?? x);
+  setAngle(Math.atan2(along, z) * 180 / Math.PI);
 }
 function stopDevice() {
   if (!isDevice) return;
@@ -163,7 +177,8 @@ try {
 } catch { /* a browser that keeps nothing */ }
 
 function layOut() {
-  const width = data.count * data.pitch, height = data.height_mm;
+  const across = data.count * data.pitch, along = data.height_mm;
+  const [width, height] = data.is_across ? [along, across] : [across, along];
   const pictures = state.mode === "pair" || state.mode === "crossed" ? 2 : 1;
   const room = (stage.clientWidth - 20 - 12 * (pictures - 1)) / pictures;
   const fit = Math.min(room / width, Math.max(160, 0.72 * window.innerHeight) / height);
@@ -229,7 +244,8 @@ function readAddress() {
   state.distance = parts.get("distance") === "inf" ? 0 : positive("distance", data.distance);
   state.apart = positive("eyes", data.eyes);
   const angle = Number(parts.get("angle") ?? data.angle);
-  return { mode: parts.get("mode") in kNames ? parts.get("mode") : "one", angle: Number.isFinite(angle) ? angle : 0 };
+  const mode = data.is_across || !(parts.get("mode") in kNames) ? "one" : parts.get("mode");
+  return { mode, angle: Number.isFinite(angle) ? angle : 0 };
 }
 const wanted = readAddress();
 bindField("distance", (v) => { state.distance = v; }, () => state.distance > 0 ? state.distance : "inf",

@@ -67,6 +67,7 @@ core::PictureSpec spec_for(FileType type, const StoredImage& image, const About&
   spec.metadata.description = about.description;
   spec.metadata.dpi_x = about.dpi_x;
   spec.metadata.dpi_y = about.dpi_y;
+  spec.metadata.orientation = about.orientation;
   spec.metadata.profile = image.profile;
   for (const auto& [name, value] : about.facts) {
     spec.metadata.fields.emplace_back(std::string(kOurs) + name, value);

@@ -55,6 +55,7 @@ struct About {
   Facts facts;                      ///< as "lentray:" and the name
   std::string description;          ///< empty: none
   double dpi_x = 0.0, dpi_y = 0.0;  ///< 0: no resolution
+  int orientation = 1;              ///< how the file's pixels are to be turned to stand upright
 };
 /// PNG, TIFF, OpenEXR or JPEG by the name's extension. Samples are written as they are where the
 /// file takes them; the file appears whole or not at all.

@@ -39,7 +39,8 @@ std::string page_tiles(const Integral& integral) {
   const double width = sheet.sheet_width(), height = width / integral.sheet.aspect;
   return page_tile("lenses", shown(sheet.counted_lenses())) +
          page_tile("pixels a lens", shown(lens.pixels)) +
-         page_tile("sheet, mm", shown(width) + " \xC3\x97 " + shown(height)) +
+         page_tile("sheet, mm", shown(integral.is_across ? height : width) + " \xC3\x97 " +
+                                    shown(integral.is_across ? width : height)) +
          page_tile("made for an eye at",
                    lens.is_finite() ? shown(lens.view_distance) + " mm" : "infinity") +
          page_tile("viewing angle", shown(viewing_angle(lens)) + "\xC2\xB0");
@@ -79,6 +80,7 @@ json page_data(const Integral& integral, const Arguments& a, const PageStrips& s
           {"view_distance", lens.is_finite() ? lens.view_distance : 0.0},
           {"viewing_angle", viewing_angle(lens)},
           {"height_mm", sheet.sheet_width() / integral.sheet.aspect},
+          {"is_across", integral.is_across},
           {"angle", eye.angle},
           {"distance", eye.distance},
           {"eyes", a.eyes},

@@ -72,6 +72,11 @@ void refuse_damaged(const core::StoredImage& image, const Facts& facts, const Sh
 
 }  // namespace
 
+std::optional<double> said_aspect(const SheetOptions& options) {
+  if (!options.aspect || !options.across) return options.aspect;
+  return 1.0 / *options.aspect;
+}
+
 std::optional<camera::SlantedSheet> slanted_sheet(const LensParameters& lens, std::uint32_t columns,
                                                   std::uint32_t rows, double aspect,
                                                   double eye_slope_x, double eye_slope_y) {
@@ -121,7 +126,7 @@ Sheet sheet_of(const core::StoredImage& image, const SheetOptions& options,
                      " pixels wide, which is less than a lens of " + camera::format(lens.pixels));
   }
   Sheet out{camera::LensSheet(lens, image.width, eye_slope_in(facts)), missing,
-            options.aspect.value_or(aspect_in(image, facts, about))};
+            said_aspect(options).value_or(aspect_in(image, facts, about))};
   out.slanted = slanted_sheet(lens, image.width, image.height, out.aspect, eye_slope_in(facts),
                               eye_slope_up_in(facts));
   return out;

@@ -17,6 +17,7 @@ struct SheetOptions {
   std::optional<camera::LensModel> model;
   std::optional<double> slant;   ///< its tangent
   std::optional<double> aspect;  ///< width of the sheet by its height
+  bool across = false;           ///< lenses lie across the upright picture
 };
 
 struct Sheet {
@@ -25,6 +26,9 @@ struct Sheet {
   double aspect = 0.0;  ///< width of the sheet by its height; 0: unknown
   std::optional<camera::SlantedSheet> slanted{};  ///< where its lenses are
 };
+
+/// The aspect that is said, of the sheet as its strips are columns.
+std::optional<double> said_aspect(const SheetOptions& options);
 
 /// Where the lenses of a picture of that size are, if they are slanted. `aspect`: the sheet's width by its
 /// height; 0: pixels are square.

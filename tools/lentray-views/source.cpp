@@ -5,7 +5,9 @@
 #include <utility>
 
 #include "camera/lenticular.h"
+#include "core/image/orientation.h"
 #include "core/image/writer.h"
+#include "tools/lentray-views/quilt_source.h"
 #include "tools/lentray-views/slanted.h"
 #include "tools/lentray-views/zones.h"
 
@@ -19,9 +21,8 @@ constexpr double kArmsLength = 400.0;  // mm: of two eyes before a sheet for inf
 
 class IntegralSource final : public Source {
  public:
-  IntegralSource(const Arguments& arguments, std::uint32_t count, tool::PhotoReader& reader)
-      : m_arguments(arguments),
-        m_integral(open_integral(arguments.pictures[0], arguments.sheet, reader)) {
+  IntegralSource(const Arguments& arguments, std::uint32_t count, Integral integral)
+      : m_arguments(arguments), m_integral(std::move(integral)) {
     const camera::LensSheet& lenses = m_integral.sheet.lenses;
     m_count = count > 0 ? count : camera::usual_views(lenses);
     // What becomes one picture has one width: without a last lens that lacks some views.
@@ -45,10 +46,17 @@ class IntegralSource final : public Source {
     return {seen(eyes.left), seen(eyes.right)};
   }
   std::vector<std::string> warnings() const override {
+    if (m_integral.is_across) {
+      return {"the lenses of '" + m_integral.name +
+              "' lie across: two eyes beside each other see the same view, and no depth"};
+    }
     if (m_arguments.pair) return warnings_of_views(*m_arguments.pair);
     return warnings_of_eyes(m_integral.sheet, eyes_of_pair());
   }
-  double aspect() const override { return m_integral.sheet.aspect; }
+  double aspect() const override {
+    const double aspect = m_integral.sheet.aspect;
+    return m_integral.is_across && aspect > 0.0 ? 1.0 / aspect : aspect;
+  }
   const Facts& facts() const override { return m_integral.facts; }
 
  private:
@@ -56,6 +64,7 @@ class IntegralSource final : public Source {
     need_optics(m_integral.sheet, m_integral.name);
     Eye middle = eye_of(m_arguments, m_integral);
     if (middle.distance <= 0.0) middle.distance = kArmsLength;
+    if (m_integral.is_across) return {middle, middle};
     return m_arguments.one_zone ? eyes_in_one_zone(m_integral.sheet, middle, m_arguments.eyes)
                                 : eyes_beside(middle, m_arguments.eyes);
   }
@@ -105,7 +114,8 @@ class PictureSource final : public Source {
     if (m_arguments.sheet.aspect) return *m_arguments.sheet.aspect;
     const double width = number_in(m_facts, "lens.sheet_width_mm", m_paths[0].string()),
                  height = number_in(m_facts, "lens.sheet_height_mm", m_paths[0].string());
-    return width > 0.0 && height > 0.0 ? width / height : 0.0;
+    if (!(width > 0.0) || !(height > 0.0)) return 0.0;
+    return tool::lies_across(m_facts) ? height / width : width / height;
   }
   const Facts& facts() const override { return m_facts; }
 
@@ -120,20 +130,31 @@ class PictureSource final : public Source {
 
 Integral open_integral(const std::filesystem::path& path, const SheetOptions& options,
                        tool::PhotoReader& reader) {
-  StoredImage image = reader.read(path);
-  Sheet sheet = sheet_of(image, options, path.string());
+  return integral_of(reader.read(path), path, options, reader);
+}
+
+Integral integral_of(StoredImage image, const std::filesystem::path& path,
+                     const SheetOptions& options, tool::PhotoReader& reader) {
   Facts facts = facts_of(image);
+  const bool is_across = options.across || tool::lies_across(facts);
+  if (is_across) image = core::upright(std::move(image), core::kTurnedBack);
+  Sheet sheet = sheet_of(image, options, path.string());
   if (const std::string change = tool::height_change_of(image, facts, path.string());
       !change.empty() && !options.pixels) {
     reader.warn(change);
   }
-  return {std::move(image), std::move(sheet), std::move(facts), path.string()};
+  return {std::move(image), std::move(sheet), std::move(facts), path.string(), is_across};
 }
 
-StoredImage in_size(const StoredImage& strip, const Arguments& arguments,
-                    const Integral& integral) {
+namespace {
+
+/// Of a sheet on its side: on its side too.
+StoredImage in_size_of_sheet(const StoredImage& strip, const Arguments& arguments,
+                             const Integral& integral) {
   if (arguments.size) {
-    return resized(strip, arguments.size->width, arguments.size->height, arguments.filter);
+    const auto [width, height] = *arguments.size;
+    return integral.is_across ? resized(strip, height, width, arguments.filter)
+                              : resized(strip, width, height, arguments.filter);
   }
   if (!arguments.square) return strip;
   // A last lens that is cut counts as a whole one, or not at all.
@@ -143,8 +164,17 @@ StoredImage in_size(const StoredImage& strip, const Arguments& arguments,
                  arguments.filter);
 }
 
+}  // namespace
+
+StoredImage in_size(const StoredImage& strip, const Arguments& arguments,
+                    const Integral& integral) {
+  StoredImage sized = in_size_of_sheet(strip, arguments, integral);
+  return integral.is_across ? core::upright(std::move(sized), core::kTurned) : sized;
+}
+
 Eye eye_of(const Arguments& arguments, const Integral& integral) {
   Eye eye = arguments.eye.value_or(Eye{});
+  if (integral.is_across) eye.angle = -eye.angle;
   const camera::LensParameters& lens = integral.sheet.lenses.lens();
   if (eye.distance <= 0.0 && lens.is_finite()) eye.distance = lens.view_distance;
   return eye;
@@ -153,7 +183,15 @@ Eye eye_of(const Arguments& arguments, const Integral& integral) {
 std::unique_ptr<Source> open_source(const Arguments& arguments, std::uint32_t count,
                                     tool::PhotoReader& reader) {
   if (arguments.pictures.size() > 1) return std::make_unique<PictureSource>(arguments, reader);
-  return std::make_unique<IntegralSource>(arguments, count, reader);
+  const std::filesystem::path& path = arguments.pictures[0];
+  StoredImage image = reader.read(path);
+  if (arguments.task == Task::kWiggle) {
+    if (const auto tiles = quilt_tiles(path, facts_of(image))) {
+      return quilt_source(arguments, std::move(image), *tiles);
+    }
+  }
+  return std::make_unique<IntegralSource>(
+      arguments, count, integral_of(std::move(image), path, arguments.sheet, reader));
 }
 
 }  // namespace lentray::views

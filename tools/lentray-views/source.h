@@ -31,26 +31,30 @@ class Source {
   virtual std::vector<std::string> warnings() const = 0;
 };
 
-/// By the arguments' pictures: one is an integral image, several are views. `count`: views it shall
+/// By the arguments' pictures: one is an integral image, or a quilt that moves, several are views. `count`: views it shall
 /// have; 0: the usual ones.
 /// Arguments and reader must outlive it.
 std::unique_ptr<Source> open_source(const Arguments& arguments, std::uint32_t count,
                                     tool::PhotoReader& reader);
 
-/// An integral image whose sheet is known.
+/// An integral image whose sheet is known. Where lenses lie across, it is on its side, so that strips are columns.
 struct Integral {
   core::StoredImage image;
   Sheet sheet;
   Facts facts;
   std::string name;
+  bool is_across = false;
 };
+/// `image`: upright.
+Integral integral_of(core::StoredImage image, const std::filesystem::path& path,
+                     const SheetOptions& options, tool::PhotoReader& reader);
 Integral open_integral(const std::filesystem::path& path, const SheetOptions& options,
                        tool::PhotoReader& reader);
 
-/// A strip of a pixel a lens in the size that is asked for: --size, --square, or as it is.
+/// A strip of a pixel a lens, upright and in the size that is asked for: --size, --square, or as it is.
 core::StoredImage in_size(const core::StoredImage& strip, const Arguments& arguments,
                           const Integral& integral);
-/// The eye of the arguments; without a distance of its own at the sheet's viewing distance.
+/// The eye of the arguments, before a sheet on its side to the right of it if it is below; without a distance of its own at the sheet's viewing distance.
 Eye eye_of(const Arguments& arguments, const Integral& integral);
 
 }  // namespace lentray::views

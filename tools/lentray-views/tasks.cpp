@@ -1,7 +1,6 @@
 #include "tools/lentray-views/tasks.h"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <filesystem>
 #include <utility>
@@ -9,17 +8,21 @@
 
 #include "camera/lenticular.h"
 #include "camera/text.h"
+#include "core/image/orientation.h"
 #include "core/image/run_files.h"
 #include "core/image/writer.h"
 #include "parser/options/ini.h"
+#include "parser/options/lens_sheets.h"
 #include "tools/common/natural_order.h"
 #include "tools/common/photo_reader.h"
 #include "tools/common/process.h"
-#include "tools/lentray-views/interlace.h"
+#include "tools/lentray-views/interlace_plan.h"
+#include "tools/lentray-views/lens_words.h"
 #include "tools/lentray-views/moving.h"
 #include "tools/lentray-views/preview.h"
 #include "tools/lentray-views/slanted.h"
 #include "tools/lentray-views/source.h"
+#include "tools/lentray-views/wiggle.h"
 
 namespace lentray::views {
 namespace {
@@ -67,25 +70,22 @@ Range range_of(const Arguments& a, std::uint32_t count) {
   return range;
 }
 
-/// Reads back as the same number.
-std::string exact(double value) {
-  char text[32];
-  return {text, std::to_chars(text, text + sizeof text, value).ptr};
-}
-
-std::string wrote(const fs::path& path, const StoredImage& image) {
-  return path.string() + ": " + std::to_string(image.width) + " x " + std::to_string(image.height) +
-         " pixels\n";
+/// Its size as it is seen.
+std::string wrote(const fs::path& path, const StoredImage& image, bool is_on_its_side = false) {
+  return path.string() + ": " + std::to_string(is_on_its_side ? image.height : image.width) +
+         " x " + std::to_string(is_on_its_side ? image.width : image.height) + " pixels\n";
 }
 
 std::string describe(const Arguments& a, tool::PhotoReader& reader) {
   const Integral integral = open_integral(a.pictures[0], a.sheet, reader);
   const camera::LensSheet& sheet = integral.sheet.lenses;
   const camera::LensParameters& lens = sheet.lens();
-  std::string out = integral.name + ": " + std::to_string(integral.image.width) + " x " +
-                    std::to_string(integral.image.height) + " pixels, " +
+  const std::uint32_t width = integral.image.width, height = integral.image.height;
+  std::string out = integral.name + ": " + std::to_string(integral.is_across ? height : width) +
+                    " x " + std::to_string(integral.is_across ? width : height) + " pixels, " +
                     camera::format(sheet.counted_lenses()) + " lenses of " +
-                    camera::format(lens.pixels) + " pixels\n";
+                    camera::format(lens.pixels) + " pixels" +
+                    (integral.is_across ? ", which lie across: view 0 is seen from below\n" : "\n");
   out += "Views 0 to " + std::to_string(camera::usual_views(sheet) - 1) + ", lenses 0 to " +
          std::to_string(sheet.lens_count() - 1) + "\n";
   if (!integral.sheet.missing.empty()) {
@@ -129,7 +129,7 @@ std::string write_one(const Arguments& a, const StoredImage& image, const fs::pa
                       const About& about) {
   check_place(a, path);
   write_picture(image, path, about);
-  return wrote(path, image);
+  return wrote(path, image, about.orientation != 1);
 }
 
 std::string write_lens(const Arguments& a, tool::PhotoReader& reader) {
@@ -137,8 +137,9 @@ std::string write_lens(const Arguments& a, tool::PhotoReader& reader) {
   refuse_slanted(integral.sheet, integral.name, "no columns lie behind one of them alone");
   About about{integral.facts, {}};
   about.facts["lens.lens"] = std::to_string(a.lens);
-  return write_one(a, lens_of(integral.image, integral.sheet.lenses, a.lens),
-                   out_or(a, "_lens" + std::to_string(a.lens)), about);
+  StoredImage behind = lens_of(integral.image, integral.sheet.lenses, a.lens);
+  if (integral.is_across) behind = core::upright(std::move(behind), core::kTurned);
+  return write_one(a, behind, out_or(a, "_lens" + std::to_string(a.lens)), about);
 }
 
 void add_eye(const Eye& eye, Facts& facts) {
@@ -152,7 +153,7 @@ std::string write_eye(const Arguments& a, tool::PhotoReader& reader) {
   const Eye eye = eye_of(a, integral);
   const StoredImage seen = seen_by(integral.image, integral.sheet, eye, a.between);
   About about{integral.facts, {}};
-  add_eye(eye, about.facts);
+  add_eye({integral.is_across ? -eye.angle : eye.angle, eye.distance}, about.facts);
   return write_one(a, in_size(seen, a, integral), out_or(a, "_eye"), about);
 }
 
@@ -166,6 +167,11 @@ std::string write_quilt(const Arguments& a, tool::PhotoReader& reader) {
   if (source->count() != count) {
     throw ImageError("a quilt of " + std::to_string(a.columns) + " x " + std::to_string(a.rows) +
                      " views wants as many pictures, not " + std::to_string(source->count()));
+  }
+  if (a.pictures.size() == 1 && (a.sheet.across || tool::lies_across(source->facts()))) {
+    throw ImageError("the lenses of '" + a.pictures[0].string() +
+                     "' lie across: its views are seen from below to above, and a quilt is for "
+                     "displays whose views lie beside each other");
   }
   std::vector<StoredImage> tiles;
   for (std::uint32_t i = 0; i < count; ++i) tiles.push_back(source->view(count - 1 - i));
@@ -203,15 +209,7 @@ std::string write_wiggle(const Arguments& a, tool::PhotoReader& reader) {
   check_place(a, a.out);
   const auto source = open_source(a, a.count.value_or(0), reader);
   const Range range = range_of(a, source->count());
-  // To and fro; both ends are shown once.
-  std::vector<StoredImage> frames;
-  for (std::uint32_t view = range.first; view <= range.last; ++view) {
-    frames.push_back(source->view(view));
-    check_alike(frames[0], frames.back());
-  }
-  for (std::uint32_t view = range.last; view-- > range.first + 1;) {
-    frames.push_back(frames[view - range.first]);
-  }
+  const std::vector<StoredImage> frames = frames_of(a, *source, range);
   tool::write_whole(a.out, is_gif ? gif_of(frames, a.delay) : apng_of(frames, a.delay));
   return a.out.string() + ": " + std::to_string(frames.size()) + " frames of " +
          std::to_string(frames[0].width) + " x " + std::to_string(frames[0].height) + " pixels\n";
@@ -228,59 +226,23 @@ std::string write_preview(const Arguments& a, tool::PhotoReader& reader) {
   return a.out.string() + ": " + preview.told + "\n";
 }
 
-/// The size and sheet of --like, or of --lens-pixels and --size.
-InterlacePlan plan_of(const Arguments& a, About& about, tool::PhotoReader& reader) {
-  InterlacePlan plan;
-  plan.views = static_cast<std::uint32_t>(a.pictures.size());
-  plan.filter = a.filter;
-  about.description = "integral image for a lenticular sheet";
-  if (!a.like.empty()) {
-    const Integral like = open_integral(a.like, a.sheet, reader);
-    plan.slanted = like.sheet.slanted;
-    plan.pixels = like.sheet.lenses.lens().pixels;
-    plan.width = like.image.width;
-    plan.height = like.image.height;
-    about.facts = like.facts;
-    about.dpi_x = tool::number_of(like.image.attributes, "XResolution");
-    about.dpi_y = tool::number_of(like.image.attributes, "YResolution");
-    if (a.size) throw ImageError("--size and --like contradict each other");
-    return plan;
-  }
-  plan.pixels = *a.sheet.pixels;
-  if (a.size) {
-    plan.width = a.size->width;
-    plan.height = a.size->height;
-  } else {
-    // A pixel of the pictures is a lens.
-    const StoredImage first = reader.read(a.pictures[0]);
-    const double width = std::round(first.width * plan.pixels);
-    if (width > 1e6) {
-      throw ImageError("a lens for each of " + std::to_string(first.width) +
-                       " columns makes the sheet too wide: --size WxH gives its pixels");
-    }
-    plan.width = static_cast<std::uint32_t>(width);
-    plan.height = first.height;
-  }
-  about.facts["lens.pixels"] = exact(plan.pixels);
-  if (a.sheet.slant && *a.sheet.slant != 0.0) {
-    plan.slanted =
-        slanted_sheet(plan.pixels, *a.sheet.slant, plan.width, plan.height, a.sheet.aspect);
-    about.facts["lens.slant_deg"] = exact(camera::slant_degrees(plan.slanted->lens()));
-  }
-  return plan;
-}
-
 std::string write_interlaced(const Arguments& a, tool::PhotoReader& reader) {
   const fs::path out = out_or(a, "_sheet");
   check_place(a, out);
-  About about;
-  const InterlacePlan plan = plan_of(a, about, reader);
-  Interlacer interlacer(plan);
-  for (std::uint32_t i = 0; i < plan.views; ++i) {
-    const fs::path& path = a.pictures[i];
-    interlacer.put(a.from_left ? plan.views - 1 - i : i, reader.read(path), path.string());
+  const PlannedSheet sheet = planned_sheet(a, reader);
+  const std::uint32_t views = sheet.plan.views;
+  Interlacer interlacer(sheet.plan);
+  warn_of_stretch(a, sheet, reader);
+  for (std::uint32_t i = 0; i < views; ++i) {
+    const std::string name = a.pictures[i].string();
+    StoredImage picture = reader.read(a.pictures[i]);
+    if (!a.takes_any) check_no_integral(picture, name);
+    if (sheet.is_across) picture = core::upright(std::move(picture), core::kTurnedBack);
+    interlacer.put(a.from_left ? views - 1 - i : i, picture, name);
   }
-  return write_one(a, interlacer.result(), out, about);
+  std::string said = write_one(a, interlacer.result(), out, sheet.about);
+  for (const std::string& line : sheet.lines) said += line + "\n";
+  return said;
 }
 
 std::string run_task(const Arguments& arguments, tool::PhotoReader& reader) {
@@ -295,6 +257,7 @@ std::string run_task(const Arguments& arguments, tool::PhotoReader& reader) {
     case Task::kWiggle: return write_wiggle(arguments, reader);
     case Task::kPreview: return write_preview(arguments, reader);
     case Task::kInterlace: return write_interlaced(arguments, reader);
+    case Task::kListSheets: break;
   }
   return describe(arguments, reader);
 }
@@ -304,6 +267,11 @@ std::string run_task(const Arguments& arguments, tool::PhotoReader& reader) {
 Report do_task(const Arguments& given) {
   Arguments arguments = given;
   Report report;
+  if (given.task == Task::kListSheets) {
+    report.said = parser::lens_sheet_list(given.lens_words, parser::installed_lens_sheet_files());
+    return report;
+  }
+  complete_lens(arguments.lens_words, arguments.sheet);
   if (!given.given_order) {
     if (auto files = tool::natural_order_instead(given.pictures)) {
       arguments.pictures = std::move(*files);

@@ -11,6 +11,7 @@
 #include "camera/sheet_views.h"
 #include "camera/text.h"
 #include "camera/thin_lens.h"
+#include "camera/upright_view.h"
 
 namespace lentray::tool {
 namespace {
@@ -18,7 +19,7 @@ namespace {
 /// What a lens is like.
 bool asks_for_lens_itself(const CameraOptions& o) {
   return !o.lens.is_empty() || o.lens.pixels || o.lens.print_dpi || o.lens.model ||
-         o.lens.automatic_model || o.lens.tolerance || o.lens.rays || o.lens.slant;
+         o.lens.automatic_model || o.lens.tolerance || o.lens.rays || o.lens.slant || o.lens.across;
 }
 
 bool asks_for_lens(const CameraOptions& o) {
@@ -40,15 +41,17 @@ camera::Sheet make_sheet(const parser::CameraRequest& request, const CameraOptio
                          const camera::SceneProbe& probe,
                          double most_parallax = camera::kMostParallax) {
   const std::uint32_t width = options.width, height = options.height;
+  const camera::Projection frame =
+      options.is_on_its_side() ? camera::on_its_side(request.projection) : request.projection;
   if (request.kind != "lenticular") {
-    return camera::sheet_of_camera(request.kind, request.projection,
+    return camera::sheet_of_camera(request.kind, frame,
                                    {options.lens, options.sheet_distance, options.sheet_at,
                                     options.depths, survey_rays(options), most_parallax},
                                    width, height, probe);
   }
   camera::LensRequest lens = request.lens;
   lens.override_by(options.lens);
-  camera::Sheet sheet = camera::sheet_of_statement(request.projection, lens, width, height, probe);
+  camera::Sheet sheet = camera::sheet_of_statement(frame, lens, width, height, probe);
   for (const auto& [is_said, name] :
        {std::pair{options.sheet_distance.has_value(), "Sheet_Distance"},
         std::pair{!options.sheet_at.empty(), "Sheet_At"}}) {
@@ -117,9 +120,10 @@ std::shared_ptr<const camera::Camera> strip_of(const camera::Lenticular& sheet,
   return std::make_shared<camera::SheetView>(sheet, view);
 }
 
-/// The size of each of the pictures of Views=.
+/// The size of each of the pictures of Views=, upright.
 parser::PixelSize view_size(const CameraOptions& o) {
-  return o.views.size.value_or(parser::PixelSize{o.width, o.height});
+  const parser::PixelSize whole{o.width, o.height}, turned{o.height, o.width};
+  return o.views.size.value_or(o.is_on_its_side() ? turned : whole);
 }
 
 std::string size_text(const parser::PixelSize& size) {
@@ -134,6 +138,8 @@ std::shared_ptr<const camera::Camera> picture_of_view(const camera::Lenticular& 
   const double offset = ((view + 0.5) / *o.views.count - 0.5) * sheet.sheet().lens().print_pitch();
   report.push_back("View " + std::to_string(view) + " of " + std::to_string(*o.views.count) + ", " +
                    size_text(size) + ", at the print offset " + camera::format(offset) + " mm");
+  if (o.is_on_its_side())
+    return camera::make_view(sheet, view, *o.views.count, size.height, size.width);
   return camera::make_view(sheet, view, *o.views.count, size.width, size.height);
 }
 
@@ -263,6 +269,9 @@ void take_view(const CameraOptions& o, CameraSetup& setup) {
   if (!o.view) return;
   setup.view = o.views.count ? picture_of_view(*setup.sheet, o, *o.view, setup.report)
                              : strip_of(*setup.sheet, *o.view);
+  if (setup.is_on_its_side) {
+    setup.view = std::make_shared<camera::UprightView>(std::move(setup.view));
+  }
 }
 
 void blur_sheet(const parser::CameraRequest& request, CameraSetup& setup) {
@@ -276,6 +285,12 @@ void blur_sheet(const parser::CameraRequest& request, CameraSetup& setup) {
 }
 
 }  // namespace
+
+camera::Properties properties_of(const CameraSetup& setup) {
+  camera::Properties out = setup.camera().describe();
+  if (setup.is_on_its_side) out.emplace_back("lens.lenses_lie", std::string("across"));
+  return out;
+}
 
 CameraSetup make_camera(const parser::CameraRequest& asked, const CameraOptions& options,
                         const camera::SceneProbe& probe) {
@@ -294,11 +309,12 @@ CameraSetup make_camera(const parser::CameraRequest& asked, const CameraOptions&
   } else {
     camera::Sheet sheet = make_sheet(request, options, probe);
     setup.sheet = std::move(sheet.camera);
+    setup.is_on_its_side = options.is_on_its_side();
     take_report(sheet, true, setup);
     if (!options.is_first_view) setup.report.clear();
     take_view(options, setup);
   }
-  if (options.lens.depth_budget && options.is_animated) {
+  if (options.lens.depth_budget && options.is_animated && !setup.composed) {
     setup.warnings.push_back(
         "Depth_Budget: each frame has its own factor, so that depth may change between frames");
   }
@@ -312,6 +328,7 @@ CameraSetup another_view(const CameraSetup& sheet, const parser::CameraRequest& 
   setup.sheet = sheet.sheet;
   setup.stand = sheet.stand;
   setup.composed = sheet.composed;
+  setup.is_on_its_side = sheet.is_on_its_side;
   take_view(options, setup);
   if (request.blur) blur_sheet(request, setup);
   return setup;

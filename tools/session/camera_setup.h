@@ -19,8 +19,9 @@ namespace lentray::tool {
 
 /// What is asked besides the scene's own statement. Lengths as camera::LensRequest has them.
 struct CameraOptions {
-  std::uint32_t width = 160, height = 120;  ///< pixels; of an integral image for a lens sheet
-  bool lenticular = false;                  ///< a lens sheet is made of the scene's camera
+  /// Pixels; of an integral image for a lens sheet, on its side as it is stored.
+  std::uint32_t width = 160, height = 120;
+  bool lenticular = false;  ///< a lens sheet is made of the scene's camera
   camera::LensRequest lens{};
   std::optional<double> sheet_distance{};  ///< scene units
   std::string sheet_at{};  ///< an object that the sheet is to stand at (camera::CompositionRequest)
@@ -30,6 +31,9 @@ struct CameraOptions {
   bool is_first_view =
       true;  ///< of pictures of one sheet; the first one's report describes the sheet
   bool is_animated = false;  ///< the sheet is made anew for every picture
+
+  /// Whether there is a lens sheet whose lenses lie across the upright picture.
+  bool is_on_its_side() const { return lenticular && lens.across.value_or(false); }
 };
 
 struct CameraSetup {
@@ -39,6 +43,7 @@ struct CameraSetup {
   std::unique_ptr<camera::Camera> blurred;     ///< the sheet or its view with an aperture, or null
   std::optional<camera::SheetStand> stand{};   ///< of a sheet that was made of a camera
   std::shared_ptr<const camera::Composition> composed{};  ///< of a sheet with an eye of the scene's
+  bool is_on_its_side = false;                            ///< the sheet: its lenses lie across
   std::vector<std::string> report, warnings;
 
   const camera::Camera& camera() const {
@@ -48,6 +53,9 @@ struct CameraSetup {
     return *ordinary;
   }
 };
+
+/// What is to be known of the camera, and how its sheet lies.
+camera::Properties properties_of(const CameraSetup& setup);
 
 CameraSetup make_camera(const parser::CameraRequest& request, const CameraOptions& options,
                         const camera::SceneProbe& probe);

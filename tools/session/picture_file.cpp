@@ -4,6 +4,7 @@
 
 #include "camera/text.h"
 #include "core/base/formed.h"
+#include "core/image/orientation.h"
 #include "tools/common/machine.h"
 #include "tools/common/version.h"
 
@@ -26,9 +27,10 @@ core::ImageMetadata metadata(const CameraSetup& setup) {
   if (!setup.view) {
     out.dpi_x = setup.sheet->print_dpi_x();
     out.dpi_y = setup.sheet->print_dpi_y();
+    if (setup.is_on_its_side) out.orientation = core::kTurned;
     out.description = "integral image for a lenticular sheet";
   }
-  for (const camera::Property& property : setup.camera().describe()) {
+  for (const camera::Property& property : properties_of(setup)) {
     out.fields.emplace_back("lentray:" + property.first, text_of(property));
   }
   return out;

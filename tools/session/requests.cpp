@@ -1,6 +1,7 @@
 #include "tools/session/requests.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace lentray::tool {
 namespace {
@@ -67,6 +68,7 @@ CameraOptions camera_options(const RenderOptions& o) {
   out.height = static_cast<std::uint32_t>(o.height);
   out.lenticular = o.lenticular;
   out.lens = o.lens;
+  if (out.is_on_its_side()) std::swap(out.width, out.height);
   out.sheet_distance = o.sheet_distance;
   out.sheet_at = o.sheet_at;
   out.view = parser::rendered_view(o);

@@ -40,10 +40,10 @@ nlohmann::json working_gamma(const core::SceneSettings& settings) {
 }
 
 /// The camera's properties below "lens"; vectors as arrays.
-nlohmann::json lens_json(const camera::Camera& camera) {
+nlohmann::json lens_json(const CameraSetup& setup) {
   nlohmann::json out = nlohmann::json::object();
   constexpr std::string_view kPrefix = "lens.";
-  for (const camera::Property& property : camera.describe()) {
+  for (const camera::Property& property : properties_of(setup)) {
     if (property.first.rfind(kPrefix, 0) != 0) continue;
     nlohmann::json& value = out[property.first.substr(kPrefix.size())];
     if (const auto* text = std::get_if<std::string>(&property.second)) {
@@ -71,7 +71,7 @@ nlohmann::json statistics(const shadow::RunReport& report, const CameraSetup& ca
   out["image"]["working_gamma"] = working_gamma(settings);
   if (!camera.sheet) return out;
   out["lens"] = lens_statistics(*camera.sheet);
-  out["lens"].update(lens_json(camera.camera()));
+  out["lens"].update(lens_json(camera));
   return out;
 }
 

@@ -28,7 +28,9 @@ struct ViewSet {
 ViewSet views_of(const Lenticular& sheet, const CameraOptions& o) {
   if (o.views.quilt) return {o.views.quilt->views(), false, *o.views.size};
   if (o.views.count) {
-    return {*o.views.count, false, o.views.size.value_or(parser::PixelSize{o.width, o.height})};
+    parser::PixelSize size = o.views.size.value_or(parser::PixelSize{o.width, o.height});
+    if (o.views.size && o.is_on_its_side()) std::swap(size.width, size.height);
+    return {*o.views.count, false, size};
   }
   return {camera::usual_views(sheet.sheet()), true, {0, sheet.height()}};
 }
@@ -78,8 +80,19 @@ Json camera_json(const ViewCamera& camera) {
   return out;
 }
 
-Json sheet_json(const Lenticular& sheet) {
-  const camera::SheetPlacement& place = sheet.placement();
+/// Upright again, of a sheet on its side.
+void stand_up(Vec3& right, Vec3& up) {
+  const Vec3 down = right;
+  right = up;
+  up = down * -1.0;
+}
+
+Json sheet_json(const CameraSetup& setup) {
+  camera::SheetPlacement place = setup.sheet->placement();
+  if (setup.is_on_its_side) {
+    stand_up(place.right, place.up);
+    std::swap(place.width, place.height);
+  }
   return {{"centre", vector_json(place.centre)},
           {"normal", vector_json(place.normal)},
           {"right", vector_json(place.right)},
@@ -124,16 +137,20 @@ Json view_cameras(const CameraSetup& setup, const CameraOptions& o, const std::s
            {"scene", scene},
            {"units", "scene units"},
            {"handedness", is_left ? "left" : "right"},
-           {"sheet", sheet_json(sheet)}};
+           {"sheet", sheet_json(setup)}};
   if (o.views.quilt) out["quilt"] = quilt_json(o, sheet);
   Json cameras = Json::array();
   for (std::uint32_t number = 0; number < set.count; ++number) {
     const std::uint32_t view = set.count - 1 - number;
     const auto picture = camera_of(sheet, set, view);
     const double lenses = set.is_strips ? picture->width() : sheet.sheet().lenses();
-    const ViewCamera camera = camera::view_camera(sheet, *picture, lenses);
+    ViewCamera camera = camera::view_camera(sheet, *picture, lenses);
     Json one{{"number", number}, {"view", view}};
     one["size"] = Json::array({picture->width(), picture->height()});
+    if (setup.is_on_its_side) {
+      stand_up(camera.right, camera.up);
+      one["size"] = Json::array({picture->height(), picture->width()});
+    }
     if (o.views.quilt) one["tile"] = tile_json(o, number);
     if (camera.is_dark) {
       one["dark"] = true;

@@ -44,6 +44,7 @@ void put_metadata(OIIO::ImageSpec& spec, FileType type, const ImageMetadata& met
   if (!has_lines) {
     for (const auto& [name, value] : metadata.fields) spec.attribute(name, value);
   }
+  if (metadata.orientation != 1) spec.attribute("Orientation", metadata.orientation);
   if (metadata.dpi_x > 0.0 && metadata.dpi_y > 0.0) {
     spec.attribute("XResolution", static_cast<float>(metadata.dpi_x));
     spec.attribute("YResolution", static_cast<float>(metadata.dpi_y));

@@ -203,6 +203,29 @@ TEST_F(UnitSheetOptions, ASheetsSizeGivesColumnsAndRows) {
       2362);
 }
 
+/// Pitch, N and the first resolution are downwards in the upright picture.
+TEST_F(UnitSheetOptions, LensesThatLieAcross) {
+  const std::vector<std::string> size{"Lens_LPI=40", "Sheet_Width=100", "Sheet_Height=70",
+                                      "Lens_Direction=across"};
+  const auto with = [&size](std::vector<std::string> more) {
+    more.insert(more.begin(), size.begin(), size.end());
+    return more;
+  };
+  const RenderOptions two = read(with({"Print_DPI=1440x720"}));
+  EXPECT_EQ(two.width, 2835);
+  EXPECT_EQ(two.height, 3969);
+  EXPECT_EQ(two.lens.size->width, 70.0);
+  EXPECT_EQ(two.lens.size->height, 100.0);
+  EXPECT_EQ(read(with({"Lens_Pixels=8"})).height, std::llround(70.0 / 0.635 * 8));
+  EXPECT_EQ(read(with({"+H1000"})).lens.pixels, 1000.0 / 70.0 * 0.635);
+  expect_message(with({"Print_DPI=600x300", "+H2000"}),
+                 "Height=2000 and Sheet_Height=70mm at 600 pixels an inch (1654 pixels)");
+  expect_message(with({"Print_DPI=600x300", "+W2000"}), "at 300 pixels an inch (1181 pixels)");
+  expect_message(with({"Sheet_Height=1um"}), "less than one of its rows");
+  EXPECT_FALSE(*read(with({"Lens_Direction=UP"})).lens.across);
+  expect_message({"Lens_Direction=down"}, "up");
+}
+
 TEST_F(ErrorSheetOptions, SheetSizes) {
   expect_message({"Sheet_Width=100"}, "Sheet_Width needs Sheet_Height too");
   expect_message({"Sheet_Height=100"}, "Sheet_Height needs Sheet_Width too");
