@@ -2,11 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 #include "camera/depth_budget.h"
 #include "camera/projected.h"
 #include "camera/sheet_collisions.h"
 #include "camera/sheet_report.h"
+#include "camera/sheet_sanity.h"
 #include "camera/slanted_lenticular.h"
 #include "camera/text.h"
 #include "camera/thick_lenticular.h"
@@ -185,6 +187,8 @@ Sheet finish(LensParameters lens, SheetPlacement place, const LensRequest& asked
   for (std::string& line : viewing_warnings(*sheet.camera, asked)) {
     sheet.warnings.push_back(std::move(line));
   }
+  std::ranges::move(sheet_sanity(lens, asked, sheet.camera->sheet().sheet_width(), place.height_mm),
+                    std::back_inserter(sheet.warnings));
   Collisions met = collisions_of(*sheet.camera, probe);
   for (std::string& line : met.notes) sheet.report.push_back(std::move(line));
   for (std::string& line : met.warnings) sheet.warnings.push_back(std::move(line));

@@ -12,6 +12,8 @@ namespace lentray::parser::sheet_option {
 void sheet(RenderOptions& o, const GivenOption& g);
 /// Degrees, or a tangent as a fraction.
 void slant(RenderOptions& o, const GivenOption& g);
+/// The name of a paper, or WxH: width and height at once.
+void sheet_size(RenderOptions& o, const GivenOption& g);
 /// Pixels an inch along rows, and perhaps x and those downwards.
 void print_dpi(RenderOptions& o, const GivenOption& g);
 /// mm or inf.
