@@ -8,6 +8,7 @@
 #include "camera/projected.h"
 #include "camera/sheet_collisions.h"
 #include "camera/sheet_report.h"
+#include "camera/sheet_sanity.h"
 #include "camera/slanted_lenticular.h"
 #include "camera/text.h"
 #include "camera/thick_lenticular.h"
@@ -222,6 +223,10 @@ void report_on(const LensRequest& asked, const SceneProbe& probe, Sheet& sheet) 
     append(depth_lines(*sheet.camera, seen), sheet.report);
     if (asked.has_print_data()) append(jump_warnings(*sheet.camera, seen), sheet.warnings);
   }
+  const LensSheet& lenses = sheet.camera->sheet();
+  append(sheet_sanity(lenses.lens(), asked, lenses.sheet_width(),
+                      sheet.camera->placement().height_mm),
+         sheet.warnings);
   Collisions met = collisions_of(*sheet.camera, probe);
   append(std::move(met.notes), sheet.report);
   sheet.scene_lines = sheet.report.size();

@@ -177,7 +177,8 @@ class LensSolver {
     if (radius < half) {
       throw CameraError("a lens radius of " + format(radius) + " mm and a pitch of " +
                             format(m_out.pitch) + " mm contradict each other: such lenses are " +
-                            format(2.0 * radius) + " mm wide at most",
+                            format(2.0 * radius) + " mm wide at most; give a radius of at least " +
+                            brief(half) + " mm, or more lenses an inch",
                         {"Lens_Radius", "Lens_Pitch", "Lens_LPI"});
     }
     const double bulge = radius - std::sqrt((radius - half) * (radius + half));

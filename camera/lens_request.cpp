@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "camera/sheet_sanity.h"
 #include "camera/text.h"
 
 namespace lentray::camera {
@@ -78,6 +79,14 @@ void check_dpi(const std::optional<double>& dpi) {
               "1e9 pixels an inch at most", {"Print_DPI"});
 }
 
+/// Those that a resolution gives a lens.
+void check_pixels(const LensParameters& lens, double dpi) {
+  if (lens.pixels >= 1.0) return;
+  throw CameraError("at " + format(dpi) + " pixels an inch a lens has " + brief(lens.pixels) +
+                        " pixels: " + resolution_for(lens, 1.0) + " give it one, and six are few",
+                    {"Print_DPI", "Lens_Pitch", "Lens_LPI", "Print_LPI"});
+}
+
 void check(const LensParameters& lens) {
   const std::string why = complaint(lens);
   if (why.empty()) return;
@@ -98,7 +107,9 @@ LensParameters begin(const LensRequest& asked) {
   lens.surface_radius = solved.radius;
   if (request.view_distance) {
     if (*request.view_distance < 0.0 || std::isnan(*request.view_distance)) {
-      throw CameraError("the viewing distance must not be negative", {"View_Distance"});
+      throw CameraError(
+          "the viewing distance must not be negative: give mm, or 0 for an eye infinitely far away",
+          {"View_Distance"});
     }
     if (*request.view_distance > 0.0) lens.view_distance = *request.view_distance;
   } else if (request.depth == DepthMode::kPrint) {
@@ -123,8 +134,10 @@ LensRequest with_lens_pitch(const LensRequest& request) {
     throw CameraError("Print_LPI must be 0.0001 to 10000000 strips an inch", {"Print_LPI"});
   }
   if (!request.view_distance) {
-    throw CameraError("Print_LPI needs a View_Distance: which strips fit depends on it",
-                      {"Print_LPI"});
+    throw CameraError(
+        "Print_LPI needs a View_Distance: which strips fit depends on it; give the one that the "
+        "pitch test was looked at from",
+        {"Print_LPI"});
   }
   const double strip = 25.4 / *request.print_lpi, distance = *request.view_distance;
   LensRequest out = request;
@@ -160,8 +173,7 @@ LensParameters resolve(const LensRequest& request, std::uint32_t width, const Ey
                         {"Lens_Pixels", "Print_DPI"});
     }
     if (!request.pixels) lens.pixels = pixels;
-    if (lens.pixels < 1.0)
-      throw CameraError("a lens must be at least one pixel wide", {"Print_DPI"});
+    check_pixels(lens, *request.print_dpi);
   }
   if (eye) {
     const double per_mm =
@@ -177,12 +189,13 @@ ExactPixels exact_pixels(const LensRequest& request, const SheetSize& size) {
   for (const double mm : {size.width, size.height}) {
     if (mm >= kLeast && mm <= kMost) continue;
     throw CameraError("the sheet must be 1e-6 to 1e6 mm wide and high",
-                      {"Sheet_Width", "Sheet_Height"});
+                      {"Sheet_Width", "Sheet_Height", "Sheet_Size"});
   }
   check_dpi(size.dpi_down);
   LensParameters lens = begin(request);
   if (request.print_dpi && !request.pixels) {
     lens.pixels = pixels_for_dpi(lens, *request.print_dpi);
+    check_pixels(lens, *request.print_dpi);
   }
   check(lens);
   const double larger = lens.print_pitch() / lens.pitch;

@@ -1,12 +1,14 @@
 #include "parser/options/lens_sheets.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdlib>
 #include <filesystem>
 #include <initializer_list>
 
 #include "camera/text.h"
 #include "core/base/joined.h"
+#include "core/base/lower_case.h"
 #include "parser/options/options_table.h"
 #include "parser/options/said_options.h"
 
@@ -77,6 +79,27 @@ std::string row(std::initializer_list<std::string> cells, const std::string& sou
   return out + "  " + source + "\n";
 }
 
+double lpi_of(const camera::LensData& d) { return d.pitch ? 25.4 / *d.pitch : d.lpi.value_or(0.0); }
+
+/// What may be meant by a name that is none: of a number the sheets on both sides, else one of a like name, else any.
+std::string instead_of(std::string name, const std::vector<LensProfile>& sheets) {
+  std::vector<std::string_view> names;
+  for (const LensProfile& sheet : sheets) names.emplace_back(sheet.name);
+  if (core::lower_case(name).ends_with("lpi")) name.resize(name.size() - 3);
+  const auto lpi = number_in(name);
+  if (!lpi || !(*lpi > 0.0)) {
+    const std::string_view near = near_name(name, names);
+    return near.empty() ? "there are " + core::joined(names)
+                        : "did you mean " + std::string(near) + "?";
+  }
+  const auto distance = [&](const LensProfile& sheet) {
+    return std::fabs(lpi_of(sheet.data) / *lpi - 1.0);
+  };
+  const LensProfile& nearest = *std::ranges::min_element(sheets, {}, distance);
+  return nearest.name + " is the nearest; Lens_LPI=" + camera::format(*lpi) +
+         " takes any, and Lens_Thickness says how thick it is";
+}
+
 }  // namespace
 
 std::vector<std::string> installed_lens_sheet_files() {
@@ -101,17 +124,17 @@ std::vector<LensProfile> lens_sheets(std::span<const std::string> files) {
 void apply_lens_sheet(RenderOptions& o, std::span<const std::string> files) {
   if (o.lens_sheet.empty()) return;
   const std::vector<LensProfile> sheets = lens_sheets(all_files(o, files));
-  const auto found = std::ranges::find_if(
-      sheets, [&](const LensProfile& sheet) { return same_word(sheet.name, o.lens_sheet); });
+  const auto named = [&](const std::string& name) {
+    return std::ranges::find_if(
+        sheets, [&](const LensProfile& sheet) { return same_word(sheet.name, name); });
+  };
+  auto found = named(o.lens_sheet);
+  if (found == sheets.end()) found = named(o.lens_sheet + "lpi");
   if (found == sheets.end()) {
-    std::vector<std::string_view> names;
-    for (const LensProfile& sheet : sheets) names.emplace_back(sheet.name);
-    const std::string_view near = near_name(o.lens_sheet, names);
-    throw OptionError(
-        with_said("there is no lens sheet '" + o.lens_sheet + "'" +
-                      (near.empty() ? "" : "; did you mean " + std::string(near) + "?") +
-                      " (Lens_Sheet=list shows all)",
-                  o, {"Lens_Sheet"}));
+    throw OptionError(with_said("there is no lens sheet '" + o.lens_sheet +
+                                    "': " + instead_of(o.lens_sheet, sheets) +
+                                    " (Lens_Sheet=list shows all)",
+                                o, {"Lens_Sheet"}));
   }
   camera::LensRequest lens;
   static_cast<camera::LensData&>(lens) = found->data;
@@ -125,7 +148,7 @@ std::string lens_sheet_list(const RenderOptions& o, std::span<const std::string>
   std::string out = row({"Lens_Sheet=", "LPI", "thickness", "radius", "index", "angle"}, "from");
   for (const LensProfile& sheet : lens_sheets(all_files(o, files))) {
     const camera::LensData& d = sheet.data;
-    const std::optional<double> lpi = d.pitch ? std::optional(25.4 / *d.pitch) : d.lpi;
+    const std::optional<double> lpi = d.pitch || d.lpi ? std::optional(lpi_of(d)) : std::nullopt;
     const auto& thickness = d.thickness ? d.thickness : d.focal_length;
     out += row({sheet.name, cell(lpi), cell(thickness), cell(d.radius), cell(d.ior), cell(d.angle)},
                sheet.source);

@@ -129,9 +129,10 @@ constexpr OptionHelp kAntialiasing[] = {
 };
 constexpr OptionHelp kSheet[] = {
     {"Lenticular", kSwitch, "Make an integral image: a lens sheet of the scene's camera."},
-    {"Lens_Sheet", "name|list",
-     "A lens sheet by its name, which stands for the lens data below; they override it. list shows "
-     "all there are."},
+    {"Lens_Sheet", "name|n|list",
+     "A lens sheet by its name, which stands for the lens data below; they override it. 60 is "
+     "60lpi. "
+     "list shows all there are."},
     {"Lens_Pitch", "mm",
      "Width of a lens (1.124). All lengths in mm may have a unit behind them: mm, cm, m, um, in or "
      "inch."},
@@ -161,6 +162,10 @@ constexpr OptionHelp kSheet[] = {
      "Of the lens sheet. With the height and a resolution it gives the picture its columns and "
      "rows."},
     {"Sheet_Height", "mm", "Of the lens sheet."},
+    {"Sheet_Size", "name|WxH",
+     "Both at once: 100x75mm, or a paper's: A0 to A6, A3+, letter, legal, tabloid, postcard, "
+     "upright, "
+     "with -landscape behind it on its side."},
     {"View_Distance", "mm|inf",
      "From the sheet to the eye; without it the distance of the camera's own eye."},
     {"Sheet_Distance", "n",
@@ -395,7 +400,7 @@ are POV-Ray's, on the command line or in INI files (file.ini, file.ini[part]).
 
 Lens sheet (lengths in mm, or with cm, in and others behind them):
   Lenticular=On           make a sheet of the scene's camera
-  Sheet_Width=  Sheet_Height=  Print_DPI= | Lens_Pixels=   instead of +W +H
+  Sheet_Width= Sheet_Height= | Sheet_Size=  Print_DPI= | Lens_Pixels= for +W +H
   Lens_Sheet=name|list    or Lens_Pitch= | Lens_LPI= Lens_Thickness= Lens_IOR=
   View_Distance=n|inf  Lens_Model=auto  Views alone: View=j  Views=M  Quilt=CxR
 )";

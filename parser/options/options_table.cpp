@@ -544,6 +544,7 @@ constexpr OptionRow kTable[] = {
     {"Print_DPI", "", {sheet_option::print_dpi, sheet_option::write_print_dpi}, kPicture},
     {"Sheet_Width", "", kLengthMm<&Options::sheet_width>, kPicture},
     {"Sheet_Height", "", kLengthMm<&Options::sheet_height>, kPicture},
+    {"Sheet_Size", "", sheet_option::sheet_size, kPicture},
     {"View_Distance",
      "",
      {sheet_option::view_distance, write_field<&camera::LensRequest::view_distance>},

@@ -4,6 +4,7 @@
 
 #include "camera/slanted_sheet.h"
 #include "parser/options/length.h"
+#include "parser/options/paper.h"
 
 namespace lentray::parser::sheet_option {
 
@@ -30,12 +31,30 @@ void direction(Options& o, const Given& g) {
   o.lens.across = choice(g, "direction of lenses", kThere) == kThere[1];
 }
 
+void sheet_size(Options& o, const Given& g) {
+  const Extent size = paper_extent(g);
+  o.sheet_width = size.width;
+  o.sheet_height = size.height;
+}
+
+namespace {
+
+double dots_an_inch(const Given& g) {
+  const auto value = number_in(g.value);
+  if (!value || !(*value > 0.0)) {
+    refuse(g, "the printer's pixels an inch are expected, greater than 0, such as 600 or 1440x720");
+  }
+  return *value;
+}
+
+}  // namespace
+
 void print_dpi(Options& o, const Given& g) {
   const std::size_t times = g.value.find_first_of("xX");
-  o.lens.print_dpi = positive(part_of(g, g.value.substr(0, times)));
+  o.lens.print_dpi = dots_an_inch(part_of(g, g.value.substr(0, times)));
   o.print_dpi_down.reset();
   if (times == std::string::npos) return;
-  o.print_dpi_down = positive(part_of(g, g.value.substr(times + 1)));
+  o.print_dpi_down = dots_an_inch(part_of(g, g.value.substr(times + 1)));
 }
 
 void view_distance(Options& o, const Given& g) {

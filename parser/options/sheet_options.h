@@ -14,6 +14,8 @@ void sheet(RenderOptions& o, const GivenOption& g);
 void slant(RenderOptions& o, const GivenOption& g);
 /// up or across.
 void direction(RenderOptions& o, const GivenOption& g);
+/// The name of a paper, or WxH: width and height at once.
+void sheet_size(RenderOptions& o, const GivenOption& g);
 /// Pixels an inch along rows, and perhaps x and those downwards.
 void print_dpi(RenderOptions& o, const GivenOption& g);
 /// mm or inf.

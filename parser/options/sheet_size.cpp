@@ -21,7 +21,8 @@ std::string resolution_text(const RenderOptions& o) {
 /// The whole number next to it.
 std::int64_t whole(const RenderOptions& o, double exact, const char* what) {
   constexpr double kMost = std::numeric_limits<std::int32_t>::max();
-  const std::vector<std::string> names{"Sheet_Width", "Sheet_Height", "Print_DPI", "Lens_Pixels"};
+  const std::vector<std::string> names{"Sheet_Width", "Sheet_Height", "Sheet_Size", "Print_DPI",
+                                       "Lens_Pixels"};
   if (!(exact <= kMost)) {
     throw OptionError(with_said(std::string("the print would have ") + format(exact) + " " + what +
                                     ": 2147483647 are the most; a smaller sheet or Print_DPI has "
@@ -41,11 +42,11 @@ void expect(const RenderOptions& o, std::int64_t given, double exact, const char
             const std::string& resolution) {
   constexpr double kAPixel = 1.0 + 1e-6;
   if (std::fabs(static_cast<double>(given) - exact) <= kAPixel) return;
-  throw OptionError(with_said(std::string(name) + "=" + std::to_string(given) + " and Sheet_" +
-                                  name + "=" + format(mm) + "mm at " + resolution + " (" +
-                                  format(std::round(exact)) +
-                                  " pixels) contradict each other: leave out one of them",
-                              o, {name, std::string("Sheet_") + name, "Print_DPI", "Lens_Pixels"}));
+  throw OptionError(
+      with_said(std::string(name) + "=" + std::to_string(given) + " and Sheet_" + name + "=" +
+                    format(mm) + "mm at " + resolution + " (" + format(std::round(exact)) +
+                    " pixels) contradict each other: leave out one of them",
+                o, {name, std::string("Sheet_") + name, "Sheet_Size", "Print_DPI", "Lens_Pixels"}));
 }
 
 /// A side of the upright picture: pixels, whether they were given, mm, and how options and pixels are called.
@@ -85,10 +86,11 @@ void fit(RenderOptions& o, const Side& across, const Side& along) {
 
 void fit_picture_to_sheet(RenderOptions& o) {
   if (o.sheet_width.has_value() != o.sheet_height.has_value()) {
-    throw OptionError(with_said(std::string(o.sheet_width ? "Sheet_Width needs Sheet_Height"
-                                                          : "Sheet_Height needs Sheet_Width") +
-                                    " too: they are the sizes of the lens sheet",
-                                o, {"Sheet_Width", "Sheet_Height"}));
+    throw OptionError(with_said(
+        std::string(o.sheet_width ? "Sheet_Width needs Sheet_Height"
+                                  : "Sheet_Height needs Sheet_Width") +
+            " too: they are the sizes of the lens sheet. Sheet_Size=A5, or =100x75mm, gives both",
+        o, {"Sheet_Width", "Sheet_Height"}));
   }
   if (!o.sheet_width) {
     if (!o.print_dpi_down) return;

@@ -1,7 +1,9 @@
-"""What a batch does besides stills: frames, views, comparisons, exceptions of a scene, stops, what is out of date.
+"""What a batch does besides stills: frames, views, comparisons, exceptions of a scene, stops, what is out of date, what
+will be wrong with sheets.
 
   tests/batch/features.py [--bin build/release/bin]
 """
+import json
 import os
 import pathlib
 import signal
@@ -143,5 +145,62 @@ def stops(check, folder, binaries):
     check(left == "", f"still running: {left}")
 
 
+def page_data(out):
+    text = (out / "index.html").read_text()
+    return json.loads(text.split('<script type="application/json" id="data">', 1)[1].split("</script>", 1)[0])
+
+
+def one_that_never_ends(check, folder, binaries):
+    """It holds up no other; once the batch is stopped, page and manifest say what is done and what is not."""
+    scenes, out = folder / "never", folder / "never-out"
+    tools.write_scenes(scenes, 9)
+    (scenes / "a_never.pov").write_text("#while (1) #end\n" + tools.scene(1))
+    command = [binaries / "lentray-batch", str(scenes), "--out", str(out), "--jobs", "1", "+W40", "+H30"]
+    for number, others in ((signal.SIGINT, 0), (signal.SIGTERM, 1)):
+        batch = subprocess.Popen(command, stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True)
+        start = time.monotonic()
+        while batch.poll() is None and len(tools.pictures(out)) < 9 and time.monotonic() - start < 60:
+            time.sleep(0.1)
+        if others:  # the second time there is that scene alone
+            time.sleep(1)
+        batch.send_signal(number)
+        said = batch.communicate(timeout=60)[1]
+        states = {row["name"]: row["state"] for row in tools.rows(out).values()}
+        check(batch.returncode == 3 and len(states) == 10, f"{batch.returncode}, {states}, {said}")
+        check(states.pop("a_never") == "waiting" and set(states.values()) == {"done"}, f"manifest: {states}")
+        summary = page_data(out)["summary"]
+        told = {name: summary[name] for name in ("stage", "done", "waiting", "made", "expected")}
+        check(told == {"stage": "stopped", "done": 9, "waiting": 1, "made": 9, "expected": 10}, f"page: {told}")
+        check(f"{9 * others} of 10 pictures are there" in said or not others, said)
+    (scenes / "a_never.pov").write_text(tools.scene(1))
+    done = tools.run(binaries, *command[1:])
+    check(done.returncode == 0 and page_data(out)["summary"]["stage"] == "finished", done.stderr)
+    check({row["state"] for row in tools.rows(out).values()} == {"done"}, f"{tools.rows(out)}")
+
+
+def kinds_of_warnings(check, folder, binaries):
+    """Warnings that begin with a word of their own are told apart: in rows, on the page, on the terminal."""
+    scenes, out = folder / "kinds", folder / "kinds-out"
+    tools.write_scenes(scenes, 4)
+    program = folder / "lentray-warns"
+    program.write_text('#!/bin/sh\ncase "$*" in\n'
+                       '*+Iscene01*) echo "warning: jumps: by 3.1 pixels a view; say Depth_Budget=1"; echo "warning: other";;\n'
+                       '*+Iscene02*) echo "warning: jumps: by 9 pixels"; echo "warning: flat: nothing moves";;\n'
+                       f'esac\nexec "{binaries}/lentray" "$@"\n')
+    program.chmod(0o755)
+    options = [scenes, "--out", out, "+W40", "+H30", "--lentray", program]
+    for again in (False, True):
+        done = tools.run(binaries, *options)
+        check("2 of 4 sheets jump, 1 is flat" in done.stdout, f"{again}: {done.stdout}")
+        check(again or "jumps, 2 warnings" in done.stderr, done.stderr)
+        rows = tools.rows(out)
+        check(rows["scene01"]["kinds"] == {"jumps": "by 3.1 pixels a view; say Depth_Budget=1"}, f"{rows['scene01']}")
+        check("kinds" not in rows["scene00"], f"{rows['scene00']}")
+        data = page_data(out)
+        check(data["summary"]["kinds"] == {"jumps": 2, "flat": 1}, f"{data['summary']}")
+        check([card.get("kinds", {}).get("flat") for card in data["cards"]] == [None, None, "nothing moves", None], f"{data['cards']}")
+        check(data["cards"][1]["others"] == 1 and "others" not in data["cards"][2], f"{data['cards']}")
+
+
 if __name__ == "__main__":
-    tools.run_parts(__doc__, (frames, sheets, views, out_of_date, stops))
+    tools.run_parts(__doc__, (frames, sheets, views, out_of_date, stops, one_that_never_ends, kinds_of_warnings))

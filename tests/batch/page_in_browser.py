@@ -19,7 +19,7 @@ from browser import CONTRAST, By, ActionChains, Keys, Page, Wrong, equal, expect
 
 # Red of column j in the views of the scene lens/five, from the left eye's view to the right eye's.
 REDS = [200, 160, 120, 80, 40]
-CARDS = 9
+CARDS = 10
 
 
 class BatchPage(Page):
@@ -53,18 +53,22 @@ def check_head_and_cards(page):
     equal(page.driver.title, "Scenes <of> a test", "title")
     equal(len(page.names()), CARDS, "cards")
     head = page.one(".head").text
-    for words in ("Scenes <of> a test", "9 scenes, 12 pictures. Finished.", "5 min 20 s", "1 differs"):
+    for words in ("Scenes <of> a test", "10 scenes, 13 pictures. Stopped: 12 of 13 pictures so far.", "1 of 7 sheets jumps.", "5 min 20 s", "1 differs"):
         expect(words in head, f"no '{words}' in the headline: {head}")
     bad = page.js("return document.querySelector('.card.is-failed').innerText")
     expect("<script>window.harm=2</script> is no scene" in bad, "a failed card tells why: " + bad)
     equal(page.js("return window.harm"), None, "script of a scene's name ran")
     expect("No picture to show" in page.card("plain/gone").text, "a picture that is not there")
+    badges = page.card("lens/tall").find_elements(By.CSS_SELECTOR, ".badge")
+    equal([(badge.text, badge.get_attribute("title")) for badge in badges],
+          [("jumps", "the <b>background</b> moves by 3.1 pixels a view"), ("1 warning", "1 warning")], "badges of kinds")
+    expect("not rendered yet" in page.card("plain/later").text, "a picture that waits")
     expect("left out: media" in page.card("compared/one").text, "what is left out")
 
 
 def check_filters_and_address(page):
     page.open()
-    for key, count in (("failed", 1), ("skipped", 1), ("warned", 1), ("slow", 1), ("differs", 1), ("all", CARDS)):
+    for key, count in (("failed", 1), ("skipped", 1), ("waiting", 1), ("warned", 2), ("jumps", 1), ("slow", 1), ("differs", 1), ("all", CARDS)):
         page.click_filter(key)
         equal(len(page.names()), count, f"cards with the filter {key}")
         equal(page.hash(), "" if key == "all" else f"#filter={key}", "address")

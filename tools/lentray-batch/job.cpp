@@ -500,8 +500,10 @@ void Job::read_log() {
   std::ifstream file(m_log.empty() ? run_file("log") : m_log, std::ios::binary);
   m_row.messages.clear();
   m_row.warnings = 0;
+  m_row.kinds.clear();
   for (const std::string& line : log_lines(file, m_row.frame)) {
     if (line.find("warning:") != std::string::npos) ++m_row.warnings;
+    note_kind(m_row.kinds, tool::one_line(line));
     if (m_row.messages.size() >= kMostMessages) continue;
     m_row.messages.push_back(tool::one_line(line));
   }

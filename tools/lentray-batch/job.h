@@ -25,6 +25,7 @@ struct Plan {
   Arguments arguments;
   int processors = 1;
   double memory = 0.0;        ///< bytes of the machine
+  double turn = 20.0;         ///< seconds after which a picture is first put off for others
   std::uint64_t program = 0;  ///< checksum of lentray
   const StateFolder* state = nullptr;
   std::filesystem::path

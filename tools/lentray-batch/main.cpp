@@ -18,6 +18,7 @@
 #include "tools/lentray-batch/cluster.h"
 #include "tools/lentray-batch/manifest.h"
 #include "tools/lentray-batch/page.h"
+#include "tools/lentray-batch/page_cards.h"
 #include "tools/lentray-batch/progress.h"
 #include "tools/lentray-batch/scan.h"
 #include "tools/lentray-batch/scheduler.h"
@@ -95,7 +96,7 @@ class Batch {
     for (std::unique_ptr<Job>& job : m_jobs) scheduler.add(std::move(job));
     scheduler.now_and_then([this] {
       try {
-        write_page(false);
+        write_page(PageOptions::Stage::running);
       } catch (const NoPage&) {
         // The last one says what is wrong, if it still is.
       }
@@ -195,6 +196,7 @@ class Batch {
       ++m_kept;
       return;
     }
+    if (job->needs_picture() || is_new) m_manifest.await(job->row());
     m_jobs.push_back(std::move(job));
   }
 
@@ -208,13 +210,13 @@ class Batch {
   }
 
   /// In a process of its own: pictures that are read for it take memory, and may be anything.
-  void write_page(bool is_finished) {
+  void write_page(PageOptions::Stage stage) {
     const fs::path log = m_state.path() / "page.log";
     PageOptions options;
     for (const fs::path& input : m_plan.arguments.inputs)
       options.title += (options.title.empty() ? "" : ", ") + input.string();
     options.folder = m_plan.arguments.out;
-    options.is_finished = is_finished;
+    options.stage = stage;
     options.restricts = m_plan.arguments.restricts;
     options.expected_rows = m_names.size();
     options.wall =
@@ -246,21 +248,16 @@ class Batch {
   }
 
   Status finish(bool is_done) {
-    const bool is_kept = keep_rows(is_done);
-    if (!is_done) {
+    const bool is_kept = keep_rows();
+    if (is_done) {
+      m_state.free_reserve();
+      m_state.forget_radiosity();
+    } else {
       std::fputs("lentray-batch: stopped; the same command goes on from here\n", stderr);
-      return kStopped;
     }
+    const bool has_page = keep_page(is_done);
+    if (!is_done) return kStopped;
     const Arguments& a = m_plan.arguments;
-    bool has_page = true;
-    m_state.free_reserve();
-    m_state.forget_radiosity();
-    try {
-      write_page(true);
-    } catch (const std::exception& error) {
-      has_page = false;
-      std::fprintf(stderr, "lentray-batch: %s\n", parser::shown_text(error.what()).c_str());
-    }
     if (!a.table.empty())
       tool::write_whole(a.table, table(rows(), command_of(a.words), stock_version()));
     const Status status = summary(has_page);
@@ -268,8 +265,7 @@ class Batch {
   }
 
   /// False if rows could not be written. On a full disk the file stays as it was appended to.
-  bool keep_rows(bool is_done) {
-    if (!is_done && m_manifest.trouble().empty()) return true;
+  bool keep_rows() {
     try {
       m_manifest.tidy();
     } catch (const std::exception& error) {
@@ -278,6 +274,16 @@ class Batch {
       return false;
     }
     return true;
+  }
+
+  bool keep_page(bool is_done) {
+    try {
+      write_page(is_done ? PageOptions::Stage::finished : PageOptions::Stage::stopped);
+      return true;
+    } catch (const std::exception& error) {
+      std::fprintf(stderr, "lentray-batch: %s\n", parser::shown_text(error.what()).c_str());
+      return false;
+    }
   }
 
   std::string stock_version() const {
@@ -310,6 +316,10 @@ class Batch {
     for (const auto& [grade, count] : grades) text += ", " + std::to_string(count) + " " + grade;
     if (below > 0) text += "; " + std::to_string(below) + " below the grade that is asked for";
     std::printf("%s\n", text.c_str());
+    const std::vector<Row> all = rows();
+    const Summary sum = summary_of(all, cards_of(all));
+    if (const std::string kinds = text_of(sum.kinds, sum.done); !kinds.empty())
+      std::printf("%s\n", kinds.c_str());
     if (has_page) std::printf("%s\n", (m_plan.arguments.out / "index.html").c_str());
     return (m_plan.arguments.asked ? below : failed) > 0 ? kSome : kAll;
   }

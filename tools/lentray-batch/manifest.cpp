@@ -24,8 +24,10 @@ Manifest::Manifest(const std::filesystem::path& out, StateFolder& state)
     : m_path(out / "manifest.jsonl"), m_state(state), m_rows(rows_in(m_path, &m_is_cut)) {}
 
 const Row* Manifest::find(const std::string& name) const {
-  const auto at = m_rows.find(name);
-  return at == m_rows.end() ? nullptr : &at->second;
+  for (const auto* rows : {&m_waiting, &m_rows}) {
+    if (const auto at = rows->find(name); at != rows->end()) return &at->second;
+  }
+  return nullptr;
 }
 
 std::map<std::string, std::string> Manifest::names() const {
@@ -48,11 +50,19 @@ void Manifest::reserve(std::size_t rows) const {
 
 void Manifest::put(Row row) {
   m_pending += line_of(row);
+  m_waiting.erase(row.name);
   m_rows[row.name] = std::move(row);
   if (append(m_pending) || (m_state.free_reserve() && append(m_pending))) {
     m_pending.clear();
     m_trouble.clear();
   }
+}
+
+void Manifest::await(Row row) {
+  row.state = State::waiting;
+  row.reason = "not rendered yet";
+  row.picture.clear();
+  m_waiting[row.name] = std::move(row);
 }
 
 bool Manifest::append(const std::string& lines) {
@@ -69,6 +79,7 @@ bool Manifest::append(const std::string& lines) {
 
 void Manifest::tidy() {
   std::string all;
+  for (const auto& [name, row] : m_waiting) m_rows[name] = row;
   for (const auto& [name, row] : m_rows) all += line_of(row);
   tool::write_whole(m_path, all);
   m_pending.clear();

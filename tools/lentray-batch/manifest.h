@@ -20,6 +20,7 @@ class Manifest {
   Manifest(const std::filesystem::path& out, StateFolder& state);
 
   const std::map<std::string, Row>& rows() const { return m_rows; }
+  /// What is known of a picture; one that waits does so.
   const Row* find(const std::string& name) const;
   /// Names by source, frames apart.
   std::map<std::string, std::string> names() const;
@@ -27,8 +28,10 @@ class Manifest {
   /// fills cannot take it then.
   void reserve(std::size_t rows) const;
   void put(Row row);
+  /// That picture is to be made: until put() has its row, it waits.
+  void await(Row row);
   void drop(const std::string& name) { m_rows.erase(name); }
-  /// Rewrites the file, sorted by name. Throws where that cannot be done.
+  /// Rewrites the file, sorted by name, with pictures that wait. Throws where that cannot be done.
   void tidy();
   /// Why rows could not be written so far; empty: all are.
   const std::string& trouble() const { return m_trouble; }
@@ -39,7 +42,7 @@ class Manifest {
   const std::filesystem::path m_path;
   StateFolder& m_state;
   bool m_is_cut = false;  ///< the file does not end in a line's end
-  std::map<std::string, Row> m_rows;
+  std::map<std::string, Row> m_rows, m_waiting;
   std::string m_pending;  ///< lines that found no room
   std::string m_trouble;
 };

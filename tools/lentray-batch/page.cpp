@@ -1,6 +1,7 @@
 #include "tools/lentray-batch/page.h"
 
 #include <algorithm>
+#include <iterator>
 #include <nlohmann/json.hpp>
 #include <utility>
 
@@ -59,6 +60,16 @@ Text text_within(const std::vector<Row>& rows, const PageOptions& options, std::
   }
 }
 
+/// Of the text of rows that do not wait.
+double bytes_of_made(const Text& text, const PageOptions& options) {
+  std::vector<Row> made;
+  std::ranges::copy_if(text.rows, std::back_inserter(made),
+                       [](const Row& row) { return row.state != State::waiting; });
+  if (made.size() == text.rows.size()) return static_cast<double>(text.bytes);
+  return static_cast<double>(
+      script_text(page_data(made, cards_of(made), options, text.limits)).size());
+}
+
 }  // namespace
 
 std::string page(const std::vector<Row>& rows, const PageOptions& options) {
@@ -69,12 +80,10 @@ std::string page(const std::vector<Row>& rows, const PageOptions& options) {
   const std::size_t room = options.most_bytes - std::min(options.most_bytes, frame);
   const Text text = text_within(rows, options, room);
   // The text of rows that are to come takes room too.
-  const double times = text.rows.empty()
-                           ? 1.0
-                           : std::max(1.0, static_cast<double>(options.expected_rows) /
-                                               static_cast<double>(text.rows.size()));
+  const double times = rows_to_one(text.rows, options.expected_rows);
   const double text_room =
-      std::min(static_cast<double>(text.bytes) * times, static_cast<double>(text.bytes + room) / 2);
+      std::min(std::max(static_cast<double>(text.bytes), bytes_of_made(text, options) * times),
+               static_cast<double>(text.bytes + room) / 2);
   const auto picture_room =
       static_cast<std::size_t>(std::max(0.0, static_cast<double>(room) - text_room));
   const std::size_t step =

@@ -18,13 +18,14 @@
 namespace lentray::batch {
 
 struct PageOptions {
+  enum class Stage { running, stopped, finished };  ///< only of the last no row is to come
   std::string title;
   std::filesystem::path folder;         ///< the batch's
   std::size_t most_bytes = 20'000'000;  ///< of the page; at least 100,000, which its frame takes
-  bool is_finished = true;              ///< no row is to come
-  bool restricts = false;               ///< Restrict_IO=On: the page says so
+  Stage stage = Stage::finished;
+  bool restricts = false;  ///< Restrict_IO=On: the page says so
   std::size_t expected_rows =
-      0;              ///< of the batch when it is through: pictures get sizes that leave room
+      0;  ///< of the batch when it is through, those that wait too: pictures get sizes that leave room
   double wall = 0.0;  ///< of the whole batch
 };
 

@@ -29,14 +29,16 @@ function showGrades() {
 
 function showHead() {
   byId("title").textContent = clean(data.title);
-  const state = summary.finished ? "Finished." : summary.expected > rows.length
-    ? `Still running: ${rows.length} of ${summary.expected} pictures so far.` : "Still running.";
+  const made = `${summary.made} of ${summary.expected} pictures`;
+  const state = { finished: "Finished.", running: `Still running: ${made} so far.`,
+    stopped: `Stopped: ${made} so far. The same command makes the others.` }[summary.stage];
   const cut = summary.all_rows > rows.length
     ? ` The page has room for ${rows.length} of ${summary.all_rows} rows; the manifest has all.` : "";
   byId("status").append(`${many(summary.cards, "scene")}` +
     (rows.length > summary.cards ? `, ${many(rows.length, "picture")}` : "") + `. ${state}${cut}` +
+    (summary.kinds_text ? ` ${summary.kinds_text}.` : "") +
     (summary.restricted ? " Scenes were taken for strangers' (Restrict_IO=On)." : " Scenes might read all files (Restrict_IO=Off)."));
-  if (!summary.finished) {
+  if (summary.stage === "running") {
     byId("status").append(" ", element("button", { type: "button", class: "plain", onclick: () => location.reload() },
         "Load again"));
   }
@@ -44,6 +46,7 @@ function showHead() {
   tiles.append(tileOf("done", summary.done));
   if (summary.failed) tiles.append(tileOf("failed", summary.failed, "is-bad"));
   if (summary.skipped) tiles.append(tileOf("skipped", summary.skipped));
+  if (summary.waiting) tiles.append(tileOf("not rendered yet", summary.waiting));
   if (summary.warned) tiles.append(tileOf("with warnings", summary.warned, "is-warn"));
   if (summary.wall) tiles.append(tileOf("in all", seconds(summary.wall)));
   if (summary.cpu) tiles.append(tileOf("processor time", seconds(summary.cpu)));
@@ -54,14 +57,18 @@ function showHead() {
 
 // What is shown, from the page's address: #filter=…&sort=…&search=…&scene=…&frame=…
 
+function capital(word) { return word[0].toUpperCase() + word.slice(1); }
+
 const kFilters = [
   ["all", "All", () => true, summary.cards],
   ["failed", "Failed", (card) => card.state === "failed", summary.failed],
   ["skipped", "Skipped", (card) => card.state === "skipped", summary.skipped],
+  ["waiting", "Waiting", (card) => card.state === "waiting", summary.waiting],
   ["warned", "Warned", (card) => card.warnings > 0, summary.warned],
+  ...Object.entries(summary.kinds).map(([kind, count]) => [kind, capital(kind), (card) => card.kinds?.[kind], count]),
   ["slow", "Slow", (card) => card.slow, summary.slow],
   ["differs", "Differs", (card) => card.differs, summary.differing],
-].filter(([key]) => key !== "differs" || summary.compared);
+].filter(([key]) => (key !== "differs" || summary.compared) && (key !== "waiting" || summary.waiting));
 
 const nameOrder = (a, b) => a.name.localeCompare(b.name, undefined, { numeric: true });
 const kSorts = [
@@ -134,10 +141,13 @@ function instead(row) {
   if (row.problem) [head, text] = ["No picture to show", row.problem];
   if (row.state === "failed") [head, text] = ["Failed", row.reason];
   if (row.state === "skipped") [head, text] = ["Skipped", row.reason];
+  if (row.state === "waiting") [head, text] = ["Waiting", row.reason];
   return element("div", { class: "instead" }, element("strong", {}, head), clean(text || ""));
 }
 
-function badge(text, kind) { return element("span", { class: "badge " + (kind || ""), title: text }, text); }
+function badge(text, kind, title) {
+  return element("span", { class: "badge " + (kind || ""), title: title || text }, text);
+}
 
 function badgesOf(card) {
   const all = [];
@@ -145,7 +155,9 @@ function badgesOf(card) {
   if (card.ratio) all.push(badge(times(card.ratio)));
   if (card.state === "failed") all.push(badge("failed", "is-failure"));
   if (card.state === "skipped") all.push(badge("skipped"));
-  if (card.warnings) all.push(badge(many(card.warnings, "warning"), "is-warning"));
+  if (card.state === "waiting") all.push(badge("waiting"));
+  for (const [kind, text] of Object.entries(card.kinds || {})) all.push(badge(kind, "is-warning", clean(text)));
+  if (card.others) all.push(badge(many(card.others, "warning"), "is-warning"));
   if (card.left_out) {
     const what = [...new Set(card.list.flatMap((row) => row.left_out || []))];
     all.push(badge("left out: " + clean(what.join(", ")), "is-warning"));

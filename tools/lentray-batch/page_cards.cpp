@@ -1,6 +1,7 @@
 #include "tools/lentray-batch/page_cards.h"
 
 #include <algorithm>
+
 namespace lentray::batch {
 namespace {
 
@@ -17,9 +18,13 @@ double median(std::vector<double> values) {
 }
 
 void add(Card& card, const Row& row) {
-  if (row.state == State::failed) card.state = State::failed;
-  if (row.state == State::done && card.state != State::failed) card.state = State::done;
+  // The first of these that a row has is the card's.
+  constexpr std::array kOrder{State::failed, State::waiting, State::done, State::skipped};
+  card.state = *std::ranges::find_if(
+      kOrder, [&](State state) { return state == row.state || state == card.state; });
   card.warnings += row.warnings;
+  card.others += row.warnings - static_cast<int>(warnings_of(row.kinds));
+  add_kinds(card.kinds, row.kinds);
   card.time += row.wall;
   card.has_left_out |= !row.left_out.empty();
   if (row.verdict && badness(row.verdict->grade) > badness(card.grade))
@@ -60,6 +65,12 @@ void mark_slow(std::vector<Card>& cards) {
 
 }  // namespace
 
+double rows_to_one(const std::vector<Row>& rows, std::size_t expected) {
+  const auto made =
+      std::ranges::count_if(rows, [](const Row& row) { return row.state != State::waiting; });
+  return std::max(1.0, static_cast<double>(expected) / std::max(1.0, static_cast<double>(made)));
+}
+
 int badness(const std::string& grade) {
   const auto at = std::find(kGrades.begin(), kGrades.end(), grade);
   return at == kGrades.end() ? -1 : static_cast<int>(at - kGrades.begin());
@@ -92,6 +103,11 @@ Summary summary_of(const std::vector<Row>& rows, const std::vector<Card>& cards)
     sum.done += card.state == State::done;
     sum.failed += card.state == State::failed;
     sum.skipped += card.state == State::skipped;
+    sum.waiting += card.state == State::waiting;
+    for (const WarningKind& kind : kWarningKinds) {
+      const std::string word(kind.word);
+      if (card.kinds.contains(word)) ++sum.kinds[word];
+    }
     sum.warned += card.warnings > 0;
     sum.slow += card.is_slow;
     sum.differing += is_differing(card);
@@ -99,6 +115,7 @@ Summary summary_of(const std::vector<Row>& rows, const std::vector<Card>& cards)
     if (card.ratio) ratios.push_back(*card.ratio);
   }
   for (const Row& row : rows) {
+    sum.made += row.state != State::waiting;
     sum.is_compared |= row.verdict.has_value();
     sum.cpu += row.cpu;
     sum.memory = std::max(sum.memory, row.memory);

@@ -20,6 +20,8 @@ struct Card {
   bool is_animation = false;
   State state = State::skipped;  ///< failed if any of the rows is
   int warnings = 0;              ///< of all rows
+  int others = 0;                ///< those that are of no kind
+  KindsFound kinds{};            ///< of all rows
   double time = 0.0;             ///< wall clock, of all rows
   bool is_slow = false;          ///< among the slowest tenth, or ten times the median
   bool has_left_out = false;
@@ -31,7 +33,10 @@ struct Card {
 std::vector<Card> cards_of(const std::vector<Row>& rows);
 
 struct Summary {
-  std::size_t cards = 0, done = 0, failed = 0, skipped = 0, warned = 0, slow = 0, differing = 0;
+  std::size_t cards = 0, done = 0, failed = 0, skipped = 0, waiting = 0, warned = 0, slow = 0,
+              differing = 0;
+  std::size_t made = 0;                      ///< rows that do not wait
+  std::map<std::string, std::size_t> kinds;  ///< by word, of cards
   bool is_compared = false;
   std::map<std::string, std::size_t> grades;  ///< of cards
   double cpu = 0.0;
@@ -39,6 +44,9 @@ struct Summary {
   std::optional<double> median_ratio;
 };
 Summary summary_of(const std::vector<Row>& rows, const std::vector<Card>& cards);
+
+/// How many rows the batch will have for one that is there: those that wait are to come.
+double rows_to_one(const std::vector<Row>& rows, std::size_t expected);
 
 /// The best first.
 inline constexpr std::array<std::string_view, 6> kGrades{"exact", "match",   "noise",

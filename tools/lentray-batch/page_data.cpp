@@ -27,6 +27,8 @@ bool is_shown_by_browsers(const std::string& file) {
                             core::lower_case(std::filesystem::path(file).extension().string())) > 0;
 }
 
+constexpr std::array<std::string_view, 3> kStages{"running", "stopped", "finished"};
+
 /// JSON has no infinity, and three digits are enough of a time.
 void put_seconds(json& out, const char* name, double value) {
   if (std::isfinite(value) && value > 0.0) out[name] = std::round(value * 1e4) / 1e4;
@@ -117,6 +119,13 @@ void put_files(json& out, const Row& row, const TextLimits& limits, Paths& paths
   }
 }
 
+void put_kinds(json& out, const KindsFound& kinds, const TextLimits& limits) {
+  for (const WarningKind& kind : kWarningKinds) {
+    const auto at = kinds.find(std::string(kind.word));
+    if (at != kinds.end()) out["kinds"][at->first] = cut_text(at->second, limits.line);
+  }
+}
+
 json row_data(const Row& row, const PageOptions& options, const TextLimits& limits, Paths& paths) {
   json out{{"state", name_of(row.state)}};
   if (row.frame) out["frame"] = *row.frame;
@@ -128,6 +137,7 @@ json row_data(const Row& row, const PageOptions& options, const TextLimits& limi
   put_lines(out, "messages", row.messages, limits.messages, limits.line);
   put(out, "message_count", row.messages.size());
   put(out, "warnings", row.warnings);
+  put_kinds(out, row.kinds, limits);
   put_picture(out, row, options, limits);
   put_lines(out, "left_out", row.left_out, limits.words, limits.line);
   put_seconds(out, "wall", row.wall);
@@ -150,6 +160,8 @@ json card_data(const Card& card, const TextLimits& limits) {
            {"state", name_of(card.state)}};
   put(out, "animation", card.is_animation);
   put(out, "warnings", card.warnings);
+  put(out, "others", card.others);
+  put_kinds(out, card.kinds, limits);
   put_seconds(out, "time", card.time);
   put(out, "slow", card.is_slow);
   put(out, "left_out", card.has_left_out);
@@ -164,13 +176,17 @@ json summary_data(const Summary& sum, const PageOptions& options) {
            {"done", sum.done},
            {"failed", sum.failed},
            {"skipped", sum.skipped},
+           {"waiting", sum.waiting},
+           {"made", sum.made},
            {"warned", sum.warned},
+           {"kinds", sum.kinds},
+           {"kinds_text", text_of(sum.kinds, sum.done)},
            {"slow", sum.slow},
            {"differing", sum.differing},
            {"compared", sum.is_compared},
            {"grades", sum.grades},
            {"memory", sum.memory},
-           {"finished", options.is_finished},
+           {"stage", kStages.at(static_cast<std::size_t>(options.stage))},
            {"restricted", options.restricts},
            {"expected", options.expected_rows}};
   put_seconds(out, "cpu", sum.cpu);

@@ -204,6 +204,12 @@ function messagesOf(row) {
   return titled(many(row.message_count, "line") + " of messages", text);
 }
 
+/** What will be wrong with the sheet. */
+function kindsOf(row) {
+  return row.kinds ? titled("What to look at", listOf(Object.entries(row.kinds).map(([kind, text]) =>
+    [kind, clean(text)]))) : "";
+}
+
 function commandOf(row) {
   if (!row.command) return "";
   const folder = (row.source || "").replace(/\/[^/]*$/, "");
@@ -300,7 +306,7 @@ function factsOf(card, row, setFrame) {
       card.frames.length < card.rows.length && String(card.frames.length)], ["on the clock", seconds(card.time)],
       ["warnings", card.warnings && String(card.warnings)]])));
   }
-  for (const part of [messagesOf(row), comparisonOf(row), timesOf(row), pictureFacts(row), commandOf(row),
+  for (const part of [kindsOf(row), messagesOf(row), comparisonOf(row), timesOf(row), pictureFacts(row), commandOf(row),
       filesOf(row)]) {
     if (part) facts.append(part);
   }

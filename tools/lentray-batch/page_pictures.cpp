@@ -238,8 +238,7 @@ std::vector<std::size_t> shown_frames(const std::vector<Row>& rows, const Card& 
 std::size_t step_that_fits(const std::vector<Row>& rows, const std::vector<Card>& cards,
                            std::size_t expected_rows, std::size_t room) {
   const std::vector<Wanted> wants = wanted(rows, cards);
-  const double count = std::max(1.0, static_cast<double>(rows.size()));
-  const double times = std::max(1.0, static_cast<double>(expected_rows) / count);
+  const double times = rows_to_one(rows, expected_rows);
   const std::vector<PictureStep>& steps = picture_steps();
   for (std::size_t s = 0; s + 1 < steps.size(); ++s) {
     std::size_t sum = 0;

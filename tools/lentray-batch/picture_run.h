@@ -14,7 +14,8 @@ namespace lentray::batch {
 
 class PictureRun {
  public:
-  explicit PictureRun(Job& job) : m_jobs{&job} {}
+  /// `turn`: see turn().
+  PictureRun(Job& job, double turn) : m_jobs{&job}, m_turn(turn) {}
   /// False where that picture cannot be made after the last one of this run.
   bool take(Job& job);
 
@@ -32,6 +33,9 @@ class PictureRun {
   void drop_first() { m_jobs.pop_front(); }
   /// Seconds of this run, `seconds` after its start, that the picture being made has had.
   double seconds_of_picture(double seconds) const { return seconds - m_told.wall; }
+  /// Seconds that a picture gets of a run while others wait.
+  double turn() const { return m_turn; }
+  void lengthen_turn() { m_turn *= 2.0; }
   /// Stopping it pays if others are idle: what is left will take longer than reading the scene again.
   bool is_worth_stopping() const;
   /// Its failure for this reason would be that of all its pictures: the scene was not read before it was ended, or
@@ -40,6 +44,7 @@ class PictureRun {
 
  private:
   std::deque<Job*> m_jobs;
+  double m_turn;
   int m_threads = 1;
   // Of the pictures that are made, in this run and ever.
   tool::Ended m_told;

@@ -42,6 +42,7 @@ void BatchProgress::finished(const Row& row) {
       line += "failed: " + row.reason;
     } else {
       line += tool::duration_text(row.wall);
+      for (const auto& kind : row.kinds) line += ", " + kind.first;
       if (row.warnings > 0)
         line +=
             ", " + std::to_string(row.warnings) + (row.warnings == 1 ? " warning" : " warnings");

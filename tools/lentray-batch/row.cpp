@@ -15,7 +15,7 @@ namespace {
 
 using nlohmann::json;
 
-constexpr std::array<std::string_view, 3> kStates{"done", "failed", "skipped"};
+constexpr std::array<std::string_view, 4> kStates{"done", "failed", "skipped", "waiting"};
 
 State state_named(const std::string& name) {
   for (std::size_t i = 0; i < kStates.size(); ++i) {
@@ -83,6 +83,7 @@ static void json_members(auto& io, tool::Of<Row> auto& r) {
   io.given("status", r.status);
   io.given("messages", r.messages);
   io.given("warnings", r.warnings);
+  io.given("kinds", r.kinds);
   io.given("picture", r.picture);
   io.given("width", r.width);
   io.given("height", r.height);

@@ -13,10 +13,13 @@
 #include <string>
 #include <vector>
 
+#include "tools/lentray-batch/warning_kinds.h"
+
 namespace lentray::batch {
 
-/// done: the picture is there. failed: there is none, and `reason` says why. skipped: none was asked for.
-enum class State { done, failed, skipped };
+/// done: the picture is there. failed: there is none, and `reason` says why. skipped: none was asked for. waiting: the
+/// batch was stopped before it was done.
+enum class State { done, failed, skipped, waiting };
 std::string_view name_of(State state);
 
 /// A file as it was when it was read. The checksum decides; size and time save computing it.
@@ -58,7 +61,8 @@ struct Row {
   std::vector<std::string> command;   ///< as it was run, in the scene's folder
   int status = 0;                     ///< exit status; 128 + n: ended by signal n
   std::vector<std::string> messages;  ///< lines that the program wrote, progress apart
-  int warnings = 0;
+  int warnings = 0;                   ///< all, those of `kinds` too
+  KindsFound kinds;                   ///< what will be wrong with a sheet
   std::string picture;
   std::uint32_t width = 0, height = 0;
   std::uint64_t bytes = 0;  ///< of the picture's file

@@ -11,7 +11,6 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-constexpr double kSmall = 20.0;       ///< seconds of one processor
 constexpr double kGrace = 3.0;        ///< seconds between asking and killing
 constexpr double kMostMemory = 0.85;  ///< of the machine's, of all runs together
 constexpr double kStockTime =
@@ -41,8 +40,7 @@ void Scheduler::add(std::unique_ptr<Job> job) {
 /// Puts a job where it waits for what it needs next.
 void Scheduler::next(Job& job) {
   if (job.needs_picture()) {
-    auto& queue = slots() == 1 ? m_large : m_small;
-    if (queue.empty() || !queue.back().take(job)) queue.emplace_back(job);
+    if (m_small.empty() || !m_small.back().take(job)) m_small.emplace_back(job, m_plan.turn);
   } else if (job.needs_views() || job.needs_comparison()) {
     m_after.push_back(&job);
   } else {
@@ -121,18 +119,25 @@ void Scheduler::fill() {
   };
   while (free_slots() > 0 && !m_after.empty()) {
     Job* const job = take(m_after);
-    start(PictureRun(*job), job->needs_views() ? Kind::views : Kind::comparison);
+    start(PictureRun(*job, m_plan.turn), job->needs_views() ? Kind::views : Kind::comparison);
   }
   while (free_slots() > 0 && !m_small.empty() && has_room_for(m_small.front())) {
     const int share = free_slots() / static_cast<int>(m_small.size());
     const int threads = std::clamp(share, 1, m_plan.processors);
     // What has the machine to itself need not be stopped for it.
-    const bool is_alone = m_running.empty() && m_small.size() == 1;
+    const bool is_alone = m_running.empty() && (slots() == 1 || m_small.size() == 1);
     start(take(m_small), is_alone ? Kind::large : Kind::small, threads);
     if (is_alone) return;
   }
   while (m_running.empty() && !m_large.empty()) start(take(m_large), Kind::large);
   while (m_running.empty() && !m_alone.empty()) start(take(m_alone), Kind::large);
+}
+
+/// A turn ends for others. A small picture's does in any case: alone it gets all processors.
+bool Scheduler::is_waited_for(const Running& running) const {
+  return running.kind == Kind::small ||
+         (running.kind == Kind::large &&
+          !(m_small.empty() && m_large.empty() && m_alone.empty() && m_after.empty()));
 }
 
 void Scheduler::set_back(Running& running) {
@@ -160,9 +165,10 @@ void Scheduler::watch_time(Running& running) {
     running.is_asked = true;
     running.asked_at = seconds;
     running.child->ask_to_stop();
-  } else if (running.kind == Kind::small &&
-             (of_picture > kSmall ||
-              (seconds > kSmall && others_are_idle && running.run.is_worth_stopping()))) {
+  } else if (is_waited_for(running) &&
+             (of_picture > running.run.turn() ||
+              (running.kind == Kind::small && seconds > running.run.turn() && others_are_idle &&
+               running.run.is_worth_stopping()))) {
     set_back(running);
   }
 }
@@ -229,6 +235,7 @@ void Scheduler::picture_ended(Running& running, const tool::Ended& how) {
   if (!running.over.empty() && how.status != 0) job.give_up(running.over);
   if (is_set_back || (running.kind == Kind::small && job.lacked_memory())) {
     job.try_again();
+    run.lengthen_turn();
     m_large.push_back(run);
     return;
   }

@@ -1,8 +1,9 @@
 // Runs the jobs of a batch within the machine's processors and memory.
 //
 // Every picture begins small: its share of the processors, one where there are more pictures than these. One that takes
-// longer than kSmall seconds, or more memory than its share, is stopped and continued when the small ones are done:
-// alone, with all processors and the whole memory that a scene may take. Pictures of the views of a scene (Views=) are
+// longer than Plan::turn, or more memory than its share, is stopped and continued when the small ones are done:
+// alone, with all processors and the whole memory that a scene may take. While others wait it is put off again and
+// again, each turn twice as long as the one before, so that one that never ends holds up none. Pictures of the views of a scene (Views=) are
 // made by one run; where it fails, the picture that it was at fails, and the others are tried in another run. Views of
 // --views and comparisons take a processor each. Rows are handed on as pictures are finished. Pictures run side by side
 // as far as the disk has room for them and their journals. One that finds too little beside others is tried again
@@ -65,6 +66,7 @@ class Scheduler {
   void watch();
   void watch_time(Running& running);
   void watch_memory();
+  bool is_waited_for(const Running& running) const;
   void set_back(Running& running);
   void finish(Job& job);
   void stop_all();

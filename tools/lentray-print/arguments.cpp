@@ -8,8 +8,8 @@
 #include "camera/text.h"
 #include "parser/options/ini.h"
 #include "parser/options/own_option.h"
+#include "parser/options/paper.h"
 #include "tools/lentray-print/page.h"
-#include "tools/lentray-print/paper.h"
 
 namespace lentray::print {
 
@@ -73,15 +73,6 @@ double pitch_of(const GivenOption& given) {
   lpi.value.resize(lpi.value.size() - kUnit.size());
   while (lpi.value.ends_with(' ')) lpi.value.pop_back();
   return pitch_of_lpi(lpi);
-}
-
-parser::Extent page_size(const GivenOption& given) {
-  if (const auto named = paper_named(given.value)) return *named;
-  if (given.value.find('x') == std::string::npos) {
-    parser::refuse(
-        given, "the name of a paper or its size is expected: " + paper_names() + ", or 200x100mm");
-  }
-  return parser::extent_mm(given);
 }
 
 Colour colour_of(const GivenOption& given) {
@@ -166,7 +157,7 @@ constexpr ValueOption kValues[] = {
     {"Lpi", kAll, set<of_member<&A::lens, &GivenLensData::lens_pitch>, pitch_of_lpi>},
     {"Lens_Pitch", kAll, set<of_member<&A::lens, &GivenLensData::lens_pitch>, lens_pitch>},
     {"Dpi", kAll, take_dpi},
-    {"Size", kTests, set<&A::size, page_size>},
+    {"Size", kTests, set<&A::size, parser::paper_extent>},
     {"Span", kPitch | kPhase, set<&A::span, lpi_of>},
     {"Step", kPitch | kPhase, set<&A::step, lpi_of>},
     {"Bands", kPitch | kPhase, set<&A::bands, parser::whole_number, 1, 200>},
@@ -186,7 +177,7 @@ constexpr ValueOption kValues[] = {
     {"Grid", kSheet, set<&A::grid, grid_of>},
     {"Gap", kSheet, set<of_member<&A::style, &SheetStyle::gap>, length_within, 0, 1000>},
     {"Seen", kSheet, set<of_member<&A::style, &SheetStyle::is_seen_together>, is_together>},
-    {"Paper", kSheet, set<of_member<&A::style, &SheetStyle::paper>, page_size>},
+    {"Paper", kSheet, set<of_member<&A::style, &SheetStyle::paper>, parser::paper_extent>},
     {"Margin", kSheet, set<&A::margin, length_within, 0, 1000>},
     {"Bleed", kSheet, set<of_member<&A::style, &SheetStyle::bleed>, length_within, 0, 200>},
     {"Bleed_From", kSheet, set<of_member<&A::style, &SheetStyle::bleed_of_picture>, is_of_picture>},
@@ -414,7 +405,8 @@ Of sheets:
                        pictures are cut apart, and each is right for an eye
                        before its own middle (the default); or the sheet stays
                        whole, and one eye sees all of it
-  --paper NAME         the page: A0 to A6, A3+, letter, legal, tabloid, or WxH
+  --paper NAME         the page: A0 to A6, A3+, letter, legal, tabloid, or WxH;
+                       A4-landscape lies on its side
                        such as 300x200mm, upright or across; without it as large
                        as it takes
   --margin M           blank border of the page (5mm)

@@ -283,7 +283,9 @@ TEST(UnitLensRequest, BadStripsAreRefused) {
       "Print_LPI gives the lenses' pitch, and so does Lens_Pitch or Lens_LPI: give one of them");
   LensRequest nowhere = measured_strips(39.8);
   nowhere.view_distance.reset();
-  EXPECT_EQ(message(nowhere), "Print_LPI needs a View_Distance: which strips fit depends on it");
+  EXPECT_EQ(message(nowhere),
+            "Print_LPI needs a View_Distance: which strips fit depends on it; give the one that "
+            "the pitch test was looked at from");
   for (const double bad : {0.0, -1.0, 1e300, kLensDataInf, kLensDataNan}) {
     EXPECT_EQ(message(measured_strips(bad)), "Print_LPI must be 0.0001 to 10000000 strips an inch");
   }

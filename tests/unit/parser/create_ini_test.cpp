@@ -63,6 +63,7 @@ TEST(UnitParserCreateIni, AsksForTheSameRunAgain) {
       {"a.pov", "Lenticular=On", "Lens_LPI=40", "Lens_Angle=50", "Sheet_Width=100",
        "Sheet_Height=70", "+W2000", "+H77"},
       {"a.pov", "Lenticular=On", "Sheet_Width=100", "Sheet_Height=70"},
+      {"a.pov", "Lenticular=On", "Lens_Sheet=60", "Sheet_Size=A6-landscape", "Print_DPI=600"},
       {"a.pov",
        "Lenticular=On",
        "Lens_Pitch=0.7",

@@ -230,10 +230,10 @@ TEST_F(ErrorSheetOptions, SheetSizes) {
   expect_message({"Sheet_Width=100"}, "Sheet_Width needs Sheet_Height too");
   expect_message({"Sheet_Height=100"}, "Sheet_Height needs Sheet_Width too");
   expect_message({"Print_DPI=600x300"}, "needs Sheet_Width and Sheet_Height");
-  expect_message({"Print_DPI=600x"}, "a number is expected");
-  expect_message({"Print_DPI=0x600"}, "a number greater than 0 is expected");
-  expect_message({"Print_DPI=600x-1"}, "a number greater than 0 is expected");
-  expect_message({"Print_DPI=fine"}, "a number is expected");
+  expect_message({"Print_DPI=600x"}, "pixels an inch are expected");
+  expect_message({"Print_DPI=0x600"}, "pixels an inch are expected, greater than 0");
+  expect_message({"Print_DPI=600x-1"}, "pixels an inch are expected, greater than 0");
+  expect_message({"Print_DPI=fine"}, "pixels an inch are expected");
   const std::vector<std::string> size{"Lens_LPI=40", "Sheet_Width=100", "Sheet_Height=70"};
   const auto with = [&size](std::vector<std::string> more) {
     more.insert(more.begin(), size.begin(), size.end());
@@ -248,7 +248,10 @@ TEST_F(ErrorSheetOptions, SheetSizes) {
   expect_message(with({"Print_DPI=600x300", "+H1654"}), "at 300 pixels an inch (827 pixels)");
   expect_message(with({"Lens_Pixels=15", "+W2000"}), "at 15 pixels a lens (2362 pixels)");
   expect_message(with({"+W100"}), "a lens must be at least one pixel wide");
-  expect_message(with({"Print_DPI=20"}), "a lens must be at least one pixel wide");
+  expect_message(
+      with({"Print_DPI=20"}),
+      "at 20 pixels an inch a lens has 0.5 pixels: at least 40 dpi, or at most 20 lpi give "
+      "it one");
   expect_message(with({"Print_DPI=1e300"}), "resolution must be 1e9 pixels an inch at most");
   expect_message(with({"Print_DPI=1e9"}), "a lens must be a million pixels wide at most");
   expect_message(with({"Lens_Pitch=0.635", "Sheet_Width=1e300"}),
@@ -337,10 +340,40 @@ TEST_F(UnitSheetOptions, LensSheetsOfUsers) {
   }
 }
 
+TEST_F(UnitSheetOptions, ALensSheetByItsNumberAlone) {
+  EXPECT_EQ(read({"Lens_Sheet=60"}).lens.sheet_name, "60lpi");
+  std::ofstream("lens_sheets.ini") << "[60]\nLens_LPI=60.02\n";
+  EXPECT_EQ(read({"Lens_Sheet=60"}).lens.lpi, 60.02) << "a sheet of that name comes first";
+}
+
+TEST_F(UnitSheetOptions, SizesByTheNamesOfPapers) {
+  const auto size = [](const std::vector<std::string>& words) {
+    const RenderOptions o = read(words);
+    return std::pair(o.sheet_width, o.sheet_height);
+  };
+  using Size = std::pair<std::optional<double>, std::optional<double>>;
+  EXPECT_EQ(size({"Sheet_Size=A5"}), Size(148, 210));
+  EXPECT_EQ(size({"Sheet_Size=a5-Landscape"}), Size(210, 148));
+  EXPECT_EQ(size({"Sheet_Size=letter-portrait"}), Size(215.9, 279.4));
+  EXPECT_EQ(size({"Sheet_Size=postcard"}), Size(105, 148));
+  EXPECT_EQ(size({"Sheet_Size=100x75mm"}), Size(100, 75));
+  EXPECT_EQ(size({"Sheet_Size=4x6in"}), Size(101.6, 6 * 25.4));
+  EXPECT_EQ(size({"Sheet_Size=A5", "Sheet_Width=10cm"}), Size(100, 210)) << "what is said last";
+  for (const char* word : {"Sheet_Size=B99", "Sheet_Size=A5-tall", "Sheet_Size=", "Sheet_Size=-"}) {
+    expect_message({word},
+                   "the name of a paper (-landscape lays it on its side) or its size is "
+                   "expected: A0, A1,");
+  }
+  expect_message({"Sheet_Size=100x75ft"}, "unknown unit 'ft'");
+  expect_message({"Sheet_Size=A5", "Lens_LPI=60", "Print_DPI=600", "+W20"}, "Sheet_Size=A5");
+}
+
 TEST_F(ErrorSheetOptions, LensSheets) {
-  expect_message({"Lens_Sheet=41lpi"}, "there is no lens sheet '41lpi'; did you mean 40lpi?");
+  for (const char* word : {"Lens_Sheet=41lpi", "Lens_Sheet=41"})
+    expect_message({word}, "': 40lpi is the nearest; Lens_LPI=41 takes any");
+  expect_message({"Lens_Sheet=75lpi-0.475mm"}, "did you mean 75lpi-0.457mm?");
   expect_message({"Lens_Sheet=something"},
-                 "there is no lens sheet 'something' (Lens_Sheet=list shows all)");
+                 "there is no lens sheet 'something': there are 10lpi, 15lpi, 20lpi,");
   std::ofstream("lens_sheets.ini") << "[mine]\nLens_LPI=60\nWidth=30\n";
   expect_message({"Lens_Sheet=mine"},
                  "lens_sheets.ini:3: 'Width' says nothing of a lens sheet: there are Lens_Pitch, "

@@ -206,6 +206,39 @@ TEST(UnitBatchPage, SlowIsTheSlowestTenthOrTenTimesTheMedian) {
   EXPECT_FALSE(equal[0].is_slow);
 }
 
+TEST(UnitBatchPage, WhatWillBeWrongWithASheet) {
+  std::vector<Row> rows{done("a#1", 1), done("a#2", 1), done("b", 1), done("c", 1), done("d", 1)};
+  rows[0].frame = 1;
+  rows[1].frame = 2;
+  rows[0].warnings = 3;
+  rows[0].kinds = {{"jumps", "by 3.1 pixels\nby 4 pixels"}};
+  rows[1].warnings = 1;
+  rows[1].kinds = {{"flat", "nothing moves"}};
+  rows[2].warnings = 1;
+  rows[2].kinds = {{"jumps", "by 9 pixels"}, {"of a manifest from elsewhere", "x"}};
+  rows[4].state = State::waiting;
+  const std::vector<Card> cards = cards_of(rows);
+  EXPECT_EQ(cards[0].warnings, 4);
+  EXPECT_EQ(cards[0].others, 1);
+  EXPECT_EQ(cards[0].kinds.at("flat"), "nothing moves");
+  EXPECT_EQ(cards[3].state, State::waiting);
+  const Summary sum = summary_of(rows, cards);
+  EXPECT_EQ(sum.kinds, (std::map<std::string, std::size_t>{{"flat", 1}, {"jumps", 2}}));
+  EXPECT_EQ(sum.waiting, 1u);
+  EXPECT_EQ(sum.made, 4u);
+  EXPECT_EQ(text_of(sum.kinds, sum.done), "2 of 3 sheets jump, 1 is flat");
+}
+
+TEST(UnitBatchPage, ACardIsDoneOnceAllItsFramesAre) {
+  std::vector<Row> rows{done("a#1", 1), done("a#2", 1), done("a#3", 1)};
+  for (std::size_t i = 0; i < rows.size(); ++i) rows[i].frame = static_cast<int>(i);
+  EXPECT_EQ(cards_of(rows)[0].state, State::done);
+  rows[2].state = State::waiting;
+  EXPECT_EQ(cards_of(rows)[0].state, State::waiting);
+  rows[0].state = State::failed;
+  EXPECT_EQ(cards_of(rows)[0].state, State::failed);
+}
+
 TEST(UnitBatchPage, GradesAndRatios) {
   std::vector<Row> rows{done("a#1", 2), done("a#2", 2), done("b", 1), done("c", 1)};
   rows[0].frame = 1;
@@ -549,9 +582,15 @@ TEST_F(UnitBatchPageSize, SizesDoNotChangeWhileABatchGrows) {
   PageOptions with = options();
   with.most_bytes = 4'000'000;
   with.expected_rows = all.size();
+  std::vector<Row> waiting(all);
+  for (std::size_t i = 20; i < waiting.size(); ++i) {
+    waiting[i] = done(all[i].name, 0.0);
+    waiting[i].state = State::waiting;
+  }
   const json whole = data_of(page(all, with));
   const json begun = data_of(page({all.begin(), all.begin() + 20}, with));
   EXPECT_EQ(begun["rows"][3]["picture"], whole["rows"][3]["picture"]);
+  EXPECT_EQ(data_of(page(waiting, with))["rows"][3]["picture"], whole["rows"][3]["picture"]);
   EXPECT_EQ(begun["rows"][3]["tilt"], whole["rows"][3]["tilt"]);
 }
 
@@ -575,6 +614,8 @@ TEST_F(UnitBatchPageForBrowser, Write) {
   rows.back().lens_pixels = 5.0;
   rows.push_back(shown("lens/tall", columns(90, 300, lens), "pictures/tall.png"));
   rows.back().lens_pixels = 4.5;
+  rows.back().warnings = 2;
+  rows.back().kinds = {{"jumps", "the <b>background</b> moves by 3.1 pixels a view"}};
   for (int i = 1; i <= 4; ++i) {
     const std::string number = std::to_string(i);
     rows.push_back(
@@ -595,6 +636,9 @@ TEST_F(UnitBatchPageForBrowser, Write) {
   rows.push_back(bad);
   rows.push_back(done("old/same", 0.0));
   rows.back().state = State::skipped;
+  rows.push_back(done("plain/later", 0.0));
+  rows.back().state = State::waiting;
+  rows.back().reason = "not rendered yet";
   rows.push_back(shown("plain/slow", plain(120), "pictures/slow.png"));
   rows.back().wall = 300.0;
   rows.push_back(done("plain/gone", 1.0));
@@ -602,6 +646,8 @@ TEST_F(UnitBatchPageForBrowser, Write) {
   PageOptions with = options();
   with.title = "Scenes <of> a test";
   with.wall = 320;
+  with.stage = PageOptions::Stage::stopped;
+  with.expected_rows = rows.size();
   tool::write_text(m_folder / "index.html", page(rows, with));
   const char* const to = std::getenv("LENTRAY_PAGE_FOLDER");
   if (to)

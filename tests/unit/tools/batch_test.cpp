@@ -272,6 +272,7 @@ Row full_row() {
   row.command = {"lentray", "+W3"};
   row.messages = {"a \"quoted\" line"};
   row.warnings = 1;
+  row.kinds = {{"jumps", "the background moves"}};
   row.picture = "a/b07.png";
   row.width = 3;
   row.height = 2;
@@ -301,6 +302,7 @@ Row full_row() {
 TEST_F(UnitBatch, RowsSurviveAsJson) {
   const nlohmann::json whole = json_of(full_row());
   EXPECT_EQ(json_of(row_of(whole)), whole);
+  EXPECT_EQ(row_of(whole).kinds.at("jumps"), "the background moves");
   EXPECT_EQ(row_of(whole).files.at("/x/a/b.pov").sum, 0xffffffffffffffff);
   EXPECT_EQ(row_of(whole).verdict->psnr, 41.5);
   EXPECT_EQ(row_of(whole).verdict->noise_rms, 0.375);
@@ -336,6 +338,46 @@ TEST_F(UnitBatch, ManifestPassesOverWhatWasCutOff) {
   manifest.tidy();
   EXPECT_EQ(tool::read_text(m_folder / "out/manifest.jsonl").find("cut"), std::string::npos);
   EXPECT_EQ(Manifest(m_folder / "out", state).rows().size(), 3u);
+}
+
+TEST_F(UnitBatch, PicturesThatWereNotMadeWaitInTheManifest) {
+  StateFolder state(m_folder / "out");
+  {
+    Manifest manifest(m_folder / "out", state);
+    Row row = full_row();
+    for (const char* name : {"made", "not made"}) {
+      row.name = name;
+      manifest.put(row);  // of an earlier run, and out of date
+      manifest.await(row);
+    }
+    row.name = "made";
+    manifest.put(row);
+    EXPECT_EQ(manifest.find("not made")->state, State::waiting);
+    EXPECT_EQ(manifest.rows().at("not made").state, State::done) << "known for estimates";
+    manifest.tidy();
+  }
+  const Manifest manifest(m_folder / "out", state);
+  EXPECT_EQ(manifest.find("made")->state, State::done);
+  EXPECT_EQ(manifest.find("not made")->state, State::waiting);
+  EXPECT_EQ(manifest.find("not made")->picture, "") << "the old one is not of these options";
+}
+
+TEST_F(UnitBatch, WarningsOfASheetHaveKinds) {
+  KindsFound found;
+  for (const char* line :
+       {"warning: jumps: the background moves by 3.1 pixels a view; say Depth_Budget=1",
+        "warning: flat: nothing moves", "warning: jumps: twice", "warning: jumpsuit: no kind",
+        "warning: the lens sheet cuts an object", "a.pov:3:1: warning: cut: a scene's own words",
+        "jumps: no warning", "warning: reversed"})
+    note_kind(found, line);
+  EXPECT_EQ(found,
+            (KindsFound{{"flat", "nothing moves"},
+                        {"jumps",
+                         "the background moves by 3.1 pixels a view; say Depth_Budget=1\ntwice"}}));
+  EXPECT_EQ(warnings_of(found), 3u);
+  EXPECT_EQ(text_of({}, 10), "");
+  EXPECT_EQ(text_of({{"jumps", 2}, {"flat", 1}}, 10), "2 of 10 sheets jump, 1 is flat");
+  EXPECT_EQ(text_of({{"cut", 1}}, 1), "1 of 1 sheet is cut");
 }
 
 TEST_F(UnitBatch, OneBatchAtATime) {

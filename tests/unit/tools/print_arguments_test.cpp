@@ -6,8 +6,8 @@
 
 #include "parser/options/ini.h"
 #include "parser/options/length.h"
+#include "parser/options/paper.h"
 #include "tools/lentray-print/arguments.h"
-#include "tools/lentray-print/paper.h"
 
 namespace lentray::print {
 namespace {
@@ -204,7 +204,8 @@ TEST(UnitPrintArguments, WrongValues) {
   refused("pitch-test", "--bands", "1e300", "a whole number is expected");
   refused("pitch-test", "--edges", "soft", "there are grey and hard");
   refused("pitch-test", "--size", "A7",
-          "the name of a paper or its size is expected: " + paper_names() + ", or 200x100mm");
+          "the name of a paper (-landscape lays it on its side) or its size is expected: " +
+              parser::paper_names() + ", or 200x100mm");
   refused("phase-test", "--phases", "1", "a whole number from 2 to 64 is expected");
   refused("eye-test", "--ior", "0.9", "a number from 1 to 4 is expected");
   refused("eye-test", "--distance", "0mm", "a length from 10 to 100000 mm is expected");
