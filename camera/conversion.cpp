@@ -224,9 +224,9 @@ void report_on(const LensRequest& asked, const SceneProbe& probe, Sheet& sheet) 
     if (asked.has_print_data()) append(jump_warnings(*sheet.camera, seen), sheet.warnings);
   }
   const LensSheet& lenses = sheet.camera->sheet();
-  append(sheet_sanity(lenses.lens(), asked, lenses.sheet_width(),
-                      sheet.camera->placement().height_mm),
-         sheet.warnings);
+  append(
+      sheet_sanity(lenses.lens(), asked, lenses.sheet_width(), sheet.camera->placement().height_mm),
+      sheet.warnings);
   Collisions met = collisions_of(*sheet.camera, probe);
   append(std::move(met.notes), sheet.report);
   sheet.scene_lines = sheet.report.size();

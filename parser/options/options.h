@@ -115,8 +115,8 @@ struct RenderOptions {
   bool lenticular = false;  ///< make a sheet of the scene's camera
   camera::LensRequest lens;
   std::optional<double> sheet_distance;  ///< scene units
-  std::string sheet_at;  ///< an object that the sheet stands at: its name or place; empty: none
-  std::string lens_sheet;                ///< the profile that lens data are from; empty: none
+  std::string sheet_at;    ///< an object that the sheet stands at: its name or place; empty: none
+  std::string lens_sheet;  ///< the profile that lens data are from; empty: none
   std::optional<double> sheet_width, sheet_height;  ///< mm, of the lens sheet
   std::optional<double> print_dpi_down;  ///< rows an inch, where they are not as the columns
   std::optional<std::uint32_t> view;     ///< that view alone

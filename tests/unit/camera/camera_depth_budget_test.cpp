@@ -127,7 +127,8 @@ TEST(UnitCameraDepthBudget, TheReportTellsWhatStandsOut) {
        {"Nearest visible point 5 before the sheet: parallax -", " mm on the print",
         "Farthest visible point 30 behind the sheet: parallax ",
         "Sharp, up to 1 pixel a view: from ", "Without jumps, up to 1.5 pixels a view: from ",
-        "Found with ", "Objects, the nearest first:\n  ball: 5 to 6.266 from the camera (Sheet_Distance=5.562), -",
+        "Found with ",
+        "Objects, the nearest first:\n  ball: 5 to 6.266 from the camera (Sheet_Distance=5.562), -",
         "  bead: 9.7 to ", "  plane: ", "; jumps", "; not sharp all over",
         "Proposed, for all that is visible: Sheet_Distance=",
         "For all but the nearest and the farthest twentieth of that: Sheet_Distance="}) {
