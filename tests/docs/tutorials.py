@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Runs the commands of docs/tutorial-print.md, -flip.md and -display.md as they stand there, one after another in an
+"""Runs the commands of docs/tutorial-print.md, -jobs.md, -flip.md and -display.md as they stand there, one after another in an
 empty folder, and looks at what they leave.
 
     tutorials.py [--bin build/release/bin] [--full] [word ...]
@@ -18,6 +18,7 @@ import struct
 import subprocess
 import sys
 import tempfile
+import time
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(ROOT / "tests/support"))
@@ -28,7 +29,7 @@ MOST_COMMANDS = 5  # from nothing to the page to print
 MOST_PICTURE = 100_000  # bytes
 # Options of the pages and smaller ones. Each must be on a page, or it is out of date.
 SMALLER = {
-    "Print_DPI=600": "Print_DPI=200", "+A0.1": "-A", "+W1200": "+W240", "+H900": "+H180", "Quilt=portrait":
+    "Print_DPI=600": "Print_DPI=200", "Print_DPI=720": "Print_DPI=120", "+A0.1": "-A", "+W1200": "+W240", "+H900": "+H180", "Quilt=portrait":
     "Quilt=portrait Quilt_Tile=21x28", "Quilt_Tile=400x300": "Quilt_Tile=40x30", "View_Size=400x300": "View_Size=80x60",
 }
 
@@ -165,7 +166,7 @@ def check_print(tutorial, page):
     expect(f"pitch {pitch:.3f} mm*" in text, f"the page names another pitch than {pitch}")
     sheet = re.search(r"Lens sheet ([\d.]+) x ([\d.]+) mm", report)
     expect(abs(float(sheet[1]) - 100) < 0.1 and abs(float(sheet[2]) - 75) < 0.1, report)
-    expect("Nearest visible point" in report and "the eye sees jumps" in report, report)
+    expect("In the sheet's plane" in report and "Jumps: none" in report, report)
     for name in ("pitch.pdf", "sheet.pdf"):
         check_pdf(tutorial.folder / name)
     expect(tutorial.size("eyes.png") == (720, 270), "the two eyes' pictures")
@@ -202,6 +203,36 @@ def check_flip(tutorial, page):
         expect(abs(ours - theirs) < 0.05 * theirs, f"{seen}: {ours}, {picture}: {theirs}")
 
 
+def check_jobs(tutorial, page):
+    told = tutorial.run_page(page)
+    for part in parts_of(page):
+        count = len(re.findall(r"^    lentray", part, re.M))
+        expect(0 < count <= MOST_COMMANDS, f"{count} commands: {part[:60]}")
+    for name in ("mill", "teapot", "glass"):
+        report = said_by(told, f"+O{name}.png")
+        expect("Jumps: none" in report and "warning: cut" not in report, report)
+        expect("<canvas" in (tutorial.folder / f"{name}.html").read_text(encoding="utf-8"), "the preview")
+        check_pdf(tutorial.folder / f"{name}.pdf")
+    width, height = tutorial.size("mill.png")
+    expect(abs(width / height - 148 / 210) < 0.01, f"A5: {width} x {height}")
+    listed = said_by(told, "demo.pov", "--depth")
+    expect("sphere at scenes/demo.pov:121:1: " in listed, listed)
+    # Killed, and given again: it goes on.
+    batch = next(command for command in told if command.startswith("lentray-batch"))
+    pictures_there = list((tutorial.folder / "sheets").glob("*.png"))
+    expect(len(pictures_there) == 10, f"{len(pictures_there)} pictures")
+    for picture in pictures_there[3:]:
+        picture.unlink()
+    again = subprocess.Popen(["bash", "-c", "exec " + tutorial.smaller(batch)], cwd=tutorial.folder,
+                             env=tutorial.environment, stdout=subprocess.DEVNULL, stderr=subprocess.STDOUT)
+    time.sleep(1)
+    again.kill()
+    again.wait()
+    tutorial.run(batch)
+    expect(len(list((tutorial.folder / "sheets").glob("*.png"))) == 10, "pictures after a kill")
+    expect("portrait" in tutorial.smaller(next(c for c in told if "Quilt=" in c)), "the quilt")
+
+
 def check_display(tutorial, page):
     told = tutorial.run_page(page)
     for name, size in (("demo_qs8x6a0.75.png", (3360, 3360)), ("demo_qs5x3a1.3333.png", (2000, 900))):
@@ -232,7 +263,8 @@ def main():
     parser.add_argument("--full", action="store_true")
     args = parser.parse_args()
     failed, used = 0, set()
-    for name, check in (("print", check_print), ("flip", check_flip), ("display", check_display)):
+    for name, check in (("print", check_print), ("jobs", check_jobs), ("flip", check_flip),
+                        ("display", check_display)):
         if args.words and not any(word in name for word in args.words):
             continue
         page = ROOT / f"docs/tutorial-{name}.md"

@@ -227,5 +227,36 @@ sphere { (frame_number = 2 ? -7 : clock)*z, 0.5 pigment { rgb <1,0,0> } }
   EXPECT_TRUE(same_bits(before, read("b4.png")));
 }
 
+class SlowCompositionExamples : public ::testing::TestWithParam<const char*> {};
+
+/// Composed sheets of examples, view by view beside stock's oblique cameras.
+TEST_P(SlowCompositionExamples, ViewsAreStocks) {
+  const fs::path scene = fs::path("/usr/share/doc/povray/examples") / GetParam();
+  if (!fs::exists(scene)) GTEST_SKIP() << "povray-examples is not installed";
+  const tool::TemporaryFolder folder;
+  const auto done = run_diff(
+      {scene.string(), "Lenticular=On", "Lens_Sheet=40lpi", "Sheet_Width=60mm", "Sheet_Height=45mm",
+       "Lens_Pixels=5", "--no-pictures", "+L" + scene.parent_path().string()},
+      folder.path());
+  EXPECT_EQ(done.status, 0) << done.output;
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Composition, SlowCompositionExamples,
+    ::testing::Values("advanced/sombrero.pov", "advanced/teapot/teapot3.pov",
+                      "advanced/whiltile.pov", "advanced/woodbox.pov", "camera/perspective.pov",
+                      "camera/orthographic.pov", "lights/parallel_lights.pov",
+                      "lights/spotlite.pov", "objects/chesmsh.pov", "objects/csg/cliptst2.pov",
+                      "objects/torus1.pov", "textures/finishes/arches.pov",
+                      "textures/finishes/cluster.pov", "templates/Basic_Scenes/Checkered_plane.pov",
+                      "objects/superel2.pov", "objects/blob.pov", "textures/patterns/agate.pov",
+                      "interior/skysph1.pov", "interior/magglass.pov", "objects/superel1.pov"),
+    [](const auto& example) {
+      std::string name = fs::path(example.param).stem().string();
+      std::replace_if(
+          name.begin(), name.end(), [](char c) { return !std::isalnum(c); }, '_');
+      return name;
+    });
+
 }  // namespace
 }  // namespace lentray::test
