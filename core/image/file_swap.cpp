@@ -123,6 +123,17 @@ Temporaries& temporaries() {
 
 }  // namespace
 
+/// Where files cannot be flushed at all, none is.
+static bool tells_of_loss(int error) { return error == EIO || error == ENOSPC || error == EDQUOT; }
+
+/// That a file has its name.
+static void flush_folder(const fs::path& folder) {
+  const int file = ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+  if (file < 0) return;
+  (void)::fsync(file);
+  ::close(file);
+}
+
 void FileSwap::remove_temporaries() {
   const std::lock_guard lock(temporaries().mutex);
   for (const fs::path& file : temporaries().files) (void)::unlink(file.c_str());
@@ -209,8 +220,10 @@ void FileSwap::commit() {
   struct stat before {};
   if (::stat(m_place.c_str(), &before) == 0) (void)::fchmod(m_lock, before.st_mode & 07777);
   check_not_input(m_place);
+  if (::fsync(m_lock) != 0 && tells_of_loss(errno)) fail(m_place, std::strerror(errno));
   fs::rename(m_temporary, m_place, error);
   if (error) fail(m_place, error.message());
+  flush_folder(folder_of(m_place));
   note_made(m_place);
   m_committed = true;
   // A process that was killed holds its locks until it is gone, which may be after this one began.

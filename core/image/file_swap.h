@@ -1,5 +1,6 @@
 // A file that appears whole or not at all: written under a temporary name in the folder of its
-// place, then renamed. What stood there before stays until that moment.
+// place, then renamed. What stood there before stays until that moment. The file is on the disk, not only in the
+// system's memory, before it gets its name: a power cut leaves the one or the other.
 //
 // The temporary file of a.png is called .a.png.lentray-<process>-<number>.part. It is locked while
 // its maker lives; one that a killed process left behind is removed by the next that writes a.png:

@@ -26,12 +26,15 @@ std::optional<std::uint64_t> file_checksum(const std::string& path) {
 }
 
 void WatchedFiles::saw(const std::string& path, std::uint64_t sum) const {
-  if (!m_written.contains(path)) m_seen[path] = sum;
+  if (m_written.contains(path)) return;
+  m_seen[path] = sum;
+  m_there.erase(path);
 }
 
 bool WatchedFiles::exists(const std::string& path) const {
   const bool is_there = m_below.exists(path);
-  if (!is_there && !m_written.contains(path)) m_missing.insert(path);
+  if (!m_written.contains(path) && !m_seen.contains(path))
+    (is_there ? m_there : m_missing).insert(path);
   return is_there;
 }
 
@@ -61,6 +64,8 @@ std::string WatchedFiles::hold(const std::string& path) {
 std::unique_ptr<FileWriter> WatchedFiles::open(const std::string& path, bool append) {
   m_written.insert(path);
   m_seen.erase(path);
+  m_there.erase(path);
+  m_missing.erase(path);
   return m_below.open(path, append);
 }
 

@@ -24,6 +24,8 @@ class WatchedFiles final : public Files {
   const std::map<std::string, std::uint64_t>& seen() const { return m_seen; }
   /// Paths that were looked for in vain.
   const std::set<std::string>& missing() const { return m_missing; }
+  /// Paths of files that were found and not read.
+  const std::set<std::string>& there() const { return m_there; }
   /// Paths that the scene wrote.
   const std::set<std::string>& written() const { return m_written; }
 
@@ -43,7 +45,7 @@ class WatchedFiles final : public Files {
 
   Files& m_below;
   mutable std::map<std::string, std::uint64_t> m_seen;
-  mutable std::set<std::string> m_missing;
+  mutable std::set<std::string> m_missing, m_there;
   std::set<std::string> m_written;
 };
 

@@ -1,6 +1,5 @@
 #include "parser/interpreter/expressions.h"
 
-#include <chrono>
 #include <numbers>
 
 #include "parser/interpreter/interpreter.h"
@@ -167,13 +166,7 @@ bool Expressions::keyword_float(Keyword keyword, double& value) {
       value = m_in.options.frame.clock_on ? 1.0 : 0.0;
       return true;
     case Keyword::kVersion: value = m_in.version / 100.0; return true;
-    case Keyword::kNow: {
-      // Days since the year 2000 began.
-      constexpr double kSecondsTo2000 = 946684800.0;
-      const auto since = std::chrono::system_clock::now().time_since_epoch();
-      value = (std::chrono::duration<double>(since).count() - kSecondsTo2000) / 86400.0;
-      return true;
-    }
+    case Keyword::kNow: value = m_in.now(); return true;
     default: return false;
   }
 }

@@ -1,6 +1,7 @@
 #include "parser/interpreter/interpreter.h"
 
 #include <algorithm>
+#include <chrono>
 #include <filesystem>
 
 #include "core/base/deep_threads.h"
@@ -196,6 +197,24 @@ void Interpreter::declare_constants() {
       declare(name, quoted ? text.substr(1, text.size() - 2) : text);
     }
   }
+}
+
+double Interpreter::now() {
+  constexpr double kSecondsTo2000 = 946684800.0, kDay = 86400.0;
+  constexpr int kOfOneMoment = 1000;
+  const auto clock = [] {
+    const auto since = std::chrono::system_clock::now().time_since_epoch();
+    return (std::chrono::duration<double>(since).count() - kSecondsTo2000) / kDay;
+  };
+  if (!reads.now) {
+    m_first_asked = clock();
+    reads.now = options.now.value_or(m_first_asked);
+  }
+  if (m_asked < kOfOneMoment) {
+    ++m_asked;
+    return *reads.now;
+  }
+  return *reads.now + (clock() - m_first_asked);
 }
 
 std::string Interpreter::suggestion(std::string_view name) const {

@@ -108,6 +108,9 @@ struct Interpreter {
 
   /// Defines what every scene finds declared, and the Declare= options.
   void declare_constants();
+  /// Days since the year 2000 began: of a reading's first thousand questions one moment. Then time goes by, for a scene
+  /// that waits for a later one.
+  double now();
 
   /// The nearest known name, as the end of a message (", did you mean ...?") or "".
   std::string suggestion(std::string_view name) const;
@@ -126,6 +129,8 @@ struct Interpreter {
   }
 
  private:
+  double m_first_asked = 0.0;  ///< `now` of the clock
+  int m_asked = 0;             ///< for `now`
   Frame& push_text(Text& text);
   std::vector<std::string> search_folders() const;
   bool may_read(const std::string& path, std::string& refused) const;

@@ -38,7 +38,9 @@ void Parser::open(const std::string& path) {
   if (!in.push_scene(path)) in.diagnostics.fail({}, "cannot read the scene '" + path + "'");
   in.scene_folder = std::filesystem::path(path).parent_path().string();
   in.declare_constants();
-  in.symbols.declare_global(in.names.intern("input_file_name")).reset(path);
+  Symbol& name = in.symbols.declare_global(in.names.intern("input_file_name"));
+  name.reset(path);
+  name.edit_extras().was_read = &in.reads.name;
   if (!in.options.include_header.empty()) m_impl->include_header();
 }
 

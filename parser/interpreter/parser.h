@@ -58,6 +58,8 @@ struct ParserOptions {
   int image_width = 160, image_height = 120;
   int language_version = 0;  ///< Version=, x 100; 0: the scene decides
   Limits limits;
+  /// The moment that the picture is of, as `now` says it; none: that at which the scene asks.
+  std::optional<double> now{};
   /// The scene will not be rendered: of objects that cannot go wrong only the number is kept.
   bool only_check = false;
   /// A text of more than 64 bytes for each is made tokens in pieces of so many: what a processor's cache holds.

@@ -9,7 +9,7 @@
 namespace lentray::parser {
 
 /// Every option with its value, also where that is the usual one; a line each, LF. What only this
-/// program's own modes ask for (--dump) is left out.
+/// program's own modes ask for (--dump) is left out. Throws OptionError where a value cannot stand in an INI file.
 std::string ini_text(const RenderOptions& options);
 
 /// Those lines that decide what colours the pixels get, the frame's clock apart.

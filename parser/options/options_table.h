@@ -18,6 +18,7 @@ class IniLines {
  public:
   void line(std::string_view name, std::string_view value) {
     m_text.append(name).append("=").append(value).append("\n");
+    ++m_count;
   }
   void add(std::string_view name, const std::string& value) {
     if (!value.empty()) line(name, '"' + value + '"');
@@ -34,6 +35,7 @@ class IniLines {
   void add(std::string_view name, const std::optional<Value>& value) {
     if (value) add(name, *value);
   }
+  std::size_t count() const { return m_count; }
   std::string take() { return std::move(m_text); }
 
   /// Shortest text that is read as the same number.
@@ -41,6 +43,7 @@ class IniLines {
 
  private:
   std::string m_text;
+  std::size_t m_count = 0;
 };
 
 using ApplyOption = void (*)(RenderOptions&, const GivenOption&);

@@ -53,6 +53,7 @@ const std::map<std::string, Chosen>& files_that_open() {
       {"tools/common/standard_streams.cpp", kSystem},
       {"tools/common/thumbnail_store.cpp", kOwn},
       {"tools/lentray/commands.cpp", kSystem},
+      {"tools/lentray/frame_depths.cpp", kOwn},
       {"tools/lentray/run_sandbox.cpp", kSystem},
       {"tools/lentray/text_streams.cpp", kUser},
       {"tools/lentray-batch/cluster.cpp", kOwn},

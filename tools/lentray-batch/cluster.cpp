@@ -218,6 +218,7 @@ void Cluster::merge(const std::string& name, const std::vector<Row>& bands) {
     const tool::RunResult result = tool::run_program(command);
     if (result.status == 0) {
       row.bytes = fs::file_size(out / row.picture, core::ignored_error());
+      row.picture_file = tool::stamp_of(out / row.picture).value_or(tool::FileStamp{});
       job.publish_statistics(bands.front());
     } else {
       row.state = State::failed;

@@ -22,9 +22,9 @@
 #include "tools/common/process.h"
 #include "tools/common/shell_words.h"
 #include "tools/lentray-batch/run_log.h"
-#include "tools/lentray-batch/stamps.h"
 #include "tools/lentray-batch/verdict.h"
 #include "tools/lentray-batch/views.h"
+#include "tools/session/seen.h"
 
 namespace lentray::batch {
 
@@ -34,6 +34,7 @@ using nlohmann::json;
 namespace {
 
 constexpr std::size_t kMostMessages = 200;
+constexpr std::uint64_t kMostLog = 25'000'000;  ///< bytes
 
 /// As lentray names the files of a frame, or of a view.
 fs::path numbered(fs::path path, const std::string& digits) {
@@ -44,8 +45,6 @@ fs::path numbered(fs::path path, const std::string& digits) {
 std::string hexadecimal(std::uint64_t value) {
   return core::formed("%016llx", static_cast<unsigned long long>(value));
 }
-
-std::string utc_now() { return tool::utc_text("%Y-%m-%dT%H:%M:%SZ"); }
 
 /// What decides the picture, but for the files that its scene reads.
 std::string key_of(const Plan& plan, const parser::RenderOptions& o,
@@ -97,6 +96,8 @@ std::string signal_text(int signal) {
 }
 
 }  // namespace
+
+std::string utc_now() { return tool::utc_text("%Y-%m-%dT%H:%M:%SZ"); }
 
 std::string word_of(const Scene& scene) {
   const std::string name = scene.source.filename().string();
@@ -267,75 +268,6 @@ void Job::move_from_scratch(const std::string& picture) const {
 }
 fs::path Job::picture_path() const { return m_plan.arguments.out / m_row.picture; }
 
-std::string Job::limits() const {
-  return "time " + std::to_string(m_plan.arguments.time_limit) + ", memory " +
-         std::to_string(m_plan.arguments.memory_limit);
-}
-
-bool Job::files_are_current() const {
-  return !m_row.files.empty() && std::ranges::all_of(m_row.files, [](const auto& file) {
-    return is_as_it_was(file.first, file.second);
-  }) && std::ranges::none_of(m_row.missing, [](const std::string& path) {
-    return fs::exists(path, core::ignored_error());
-  });
-}
-
-bool Job::fits(const Row& row) const {
-  if (row.key != m_row.key || row.source != m_row.source) return false;
-  if (row.state == State::done &&
-      !fs::is_regular_file(m_plan.arguments.out / row.picture, core::ignored_error()))
-    return false;
-  Job then = *this;
-  then.m_row = row;
-  return then.files_are_current();
-}
-
-bool Job::is_up_to_date(const Row* known) const {
-  if (known == nullptr || known->picture != m_row.picture) return false;
-  if (known->state == State::failed &&
-      (m_plan.arguments.retry || known->lacks_room || known->limits != limits()))
-    return false;
-  return fits(*known);
-}
-
-void Job::adopt(const Row& known) {
-  m_row = known;
-  m_has_picture = known.state == State::done;
-  m_is_over = known.state == State::failed;
-  if (!m_plan.arguments.compare) m_row.verdict.reset();
-}
-
-/// The picture is there, younger than what its scene read, and that has not changed: only the row is missing.
-bool Job::adopt_left_over() {
-  const std::int64_t read = modified(run_file("read")), picture = modified(picture_path());
-  if (read == 0 || picture < read) return false;
-  // Statistics are younger than the picture. Journals of frames and views stay for a while.
-  const bool has_statistics = modified(run_file("statistics")) >= picture;
-  if (!has_statistics && m_options.lenticular) return false;
-  if (modified(tool::journal_path(picture_path().string())) != 0 && !(m_frame && has_statistics))
-    return false;
-  read_dependencies(read);
-  if (!files_are_current()) return false;
-  drop_journal();
-  m_row.state = State::done;
-  m_has_picture = true;
-  m_row.attempts = 1;
-  read_log();
-  read_statistics();
-  m_row.finished = utc_now();
-  return true;
-}
-
-bool Job::can_go_on() const {
-  const std::int64_t read = modified(run_file("read"));
-  if (!m_plan.scratch.empty() || modified(tool::journal_path(picture_path().string())) == 0 ||
-      modified(picture_path()) >= read)
-    return false;
-  Job then = *this;
-  then.read_dependencies(read);
-  return then.files_are_current();
-}
-
 bool Job::is_view_after(const Job& earlier) const {
   return is_view() && earlier.is_view() && !m_options.animation.views.clocks && !m_band &&
          !earlier.m_band && m_scene.source == earlier.m_scene.source &&
@@ -396,7 +328,7 @@ void Job::prepare(const tool::Launch& launch) {
     m_plan.state->forget_others(m_row.name, m_row.key);
   }
   m_log = launch.log;
-  m_started = now();
+  m_started = tool::now();
 }
 
 void Job::begin(int threads) {
@@ -406,8 +338,8 @@ void Job::begin(int threads) {
 }
 
 /// Its statistics come last.
-bool Job::is_made() const { return modified(run_file("statistics")) >= m_started; }
-bool Job::is_read() const { return modified(run_file("read")) >= m_started; }
+bool Job::is_made() const { return tool::modified(run_file("statistics")) >= m_started; }
+bool Job::is_read() const { return tool::modified(run_file("read")) >= m_started; }
 
 tool::Ended Job::part() const {
   tool::Ended part;
@@ -426,7 +358,7 @@ void Job::rendered(const tool::Ended& ended, bool stopped) {
   m_row.memory = std::max(m_row.memory, ended.memory);
   m_row.status = ended.status;
   read_log();
-  read_dependencies(m_started);
+  read_dependencies(m_started, m_started);
   if (stopped && ended.status == 2) return;
   if (ended.status != 0) return fail(ended);
   m_row.state = State::done;
@@ -471,17 +403,9 @@ void Job::give_up(const std::string& reason) {
   m_row.lacks_room = tells_of_no_room(reason);
   m_row.limits = limits();
   m_row.finished = utc_now();
-  if (m_row.files.empty()) {
+  if (m_row.seen.files.empty()) {
     stamp(m_scene.source);
   }
-}
-
-void Job::stamp(const fs::path& path) {
-  const parser::Descriptor held = parser::look_at(path.string());
-  if (!held ||
-      (m_plan.arguments.restricts && !lies_in(m_plan.arguments.inputs, parser::real_path(held))))
-    return;
-  if (const auto stamp = stamp_of(parser::handle_of(held))) m_row.files[path.string()] = *stamp;
 }
 
 void Job::fail_as(const Row& view) {
@@ -509,28 +433,11 @@ void Job::read_log() {
   }
 }
 
-void Job::read_dependencies(std::int64_t since) {
-  const json read = read_json(run_file("read"));
-  m_row.files.clear();
-  m_row.missing.clear();
-  if (!read.is_object() || modified(run_file("read")) < since) return;
-  const fs::path folder = m_scene.source.parent_path();
-  const auto absolute = [&](const std::string& path) {
-    return (folder / path).lexically_normal().string();
-  };
-  for (const auto& [path, sum] : read.at("read").items()) {
-    m_row.files[absolute(path)] =
-        stamp_read(absolute(path), tool::whole_of<std::uint64_t>(sum), since);
-  }
-  for (const json& path : read.at("missing"))
-    m_row.missing.push_back(absolute(path.get<std::string>()));
-  if (m_plan.arguments.scene_ini && !m_scene.ini.empty()) {
-    stamp(m_scene.ini);
-  }
-}
-
 void Job::read_statistics() {
-  m_row.bytes = fs::file_size(picture_path(), core::ignored_error());
+  m_row.bytes = fs::is_regular_file(picture_path(), core::ignored_error())
+                    ? fs::file_size(picture_path())
+                    : 0;
+  m_row.picture_file = tool::stamp_of(picture_path()).value_or(tool::FileStamp{});
   const json all = read_json(run_file("statistics"));
   if (!all.is_object()) return;
   m_row.width = tool::whole_of<std::uint32_t>(all.at("image").at("width"));
@@ -545,6 +452,12 @@ void Job::read_statistics() {
   m_row.lens_pixels = is_other ? 0.0 : all.value("/lens/pixels"_json_pointer, 0.0);
   const bool is_across = all.value("/lens/lenses_lie"_json_pointer, std::string()) == "across";
   if (is_across && !is_other) std::swap(m_row.width, m_row.height);
+}
+
+bool Job::says_too_much() const {
+  std::error_code error;
+  const std::uint64_t bytes = m_log.empty() ? 0 : fs::file_size(m_log, error);
+  return !error && bytes > kMostLog;
 }
 
 bool Job::needs_views() const {

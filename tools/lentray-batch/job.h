@@ -66,9 +66,9 @@ class Job {
   bool is_up_to_date(const Row* known) const;
   /// True if a row, perhaps of a band of it, is of this picture, and what it was made of is as it was.
   bool fits(const Row& row) const;
-  /// Takes over what is known, or what a batch that was killed has left.
+  /// Takes over what is known, or what a batch that was killed has left without a row.
   void adopt(const Row& known);
-  bool adopt_left_over();
+  bool adopt_left_over(const Row* known);
 
   bool needs_picture() const { return !m_has_picture && !m_is_over; }
   bool needs_views() const;
@@ -83,6 +83,8 @@ class Job {
   bool is_made() const;
   /// What the picture took of the run.
   tool::Ended part() const;
+  /// Its run has written more messages than a picture may have.
+  bool says_too_much() const;
   /// The run has read the scene.
   bool is_read() const;
   /// `stopped`: it was asked to, to be continued.
@@ -123,7 +125,9 @@ class Job {
   std::string limits() const;
   /// Remembers what a file is that the row was made of, unless its name leads out of a restricted batch.
   void stamp(const std::filesystem::path& path);
-  void read_dependencies(std::int64_t since);
+  /// Of a file written then or later. `since`: when the scene was read at the earliest; 0: not known, and checksums
+  /// decide.
+  void read_dependencies(std::int64_t written, std::int64_t since);
   void read_statistics();
   void read_log();
   void fail(const tool::Ended& ended);
@@ -154,6 +158,8 @@ struct PictureSize {
 PictureSize size_of(const parser::RenderOptions& options);
 /// Of the file, in which an integral image whose lenses lie across is on its side.
 double rows_of_file(const parser::RenderOptions& options);
+/// For rows: ISO 8601.
+std::string utc_now();
 /// The word that names a scene in its own folder.
 std::string word_of(const Scene& scene);
 /// The scene's folder, held, becomes the program's current folder. Throws std::runtime_error if it leads out of a

@@ -6,6 +6,7 @@
 #include <set>
 #include <thread>
 
+#include "core/base/ignored_error.h"
 #include "core/image/run_files.h"
 #include "parser/base/shown.h"
 #include "parser/files/watched_files.h"
@@ -80,7 +81,7 @@ class Batch {
  private:
   /// False if a signal stopped it.
   bool render() {
-    BatchProgress progress(m_kept + m_jobs.size(), m_kept, m_plan.arguments.quiet);
+    BatchProgress progress(m_kept + m_jobs.size(), m_kept, m_kept_failed, m_plan.arguments.quiet);
     if (!m_plan.arguments.quiet) progress.say(said_of_files(m_plan.arguments.restricts));
     for (const std::string& warning : m_warnings) progress.say(warning);
     if (m_plan.arguments.slurm && !on_cluster(progress)) return false;
@@ -173,7 +174,7 @@ class Batch {
 
   static void note_inputs(const Row& row) {
     core::note_input(row.source);
-    for (const auto& [path, stamp] : row.files) core::note_input(path);
+    for (const auto& [path, stamp] : row.seen.files) core::note_input(path);
   }
 
   void put(const Row& row) {
@@ -190,10 +191,12 @@ class Batch {
       job->adopt(*known);
       is_new = false;
     } else {
-      job->adopt_left_over();
+      job->adopt_left_over(known);
     }
+    if (!is_new) m_manifest.renew(job->row());
     if (!is_new && !job->needs_views() && !job->needs_comparison()) {
       ++m_kept;
+      if (job->row().state == State::failed) ++m_kept_failed;
       return;
     }
     if (job->needs_picture() || is_new) m_manifest.await(job->row());
@@ -329,13 +332,43 @@ class Batch {
   Manifest m_manifest;
   std::vector<std::unique_ptr<Job>> m_jobs;
   std::set<std::string> m_names;
-  std::size_t m_kept = 0;
+  std::size_t m_kept = 0, m_kept_failed = 0;  ///< rows that nothing has changed of
   std::vector<std::string> m_warnings;
   const std::chrono::steady_clock::time_point m_start = std::chrono::steady_clock::now();
 };
 
+/// The page and the manifest of something else stay.
+void refuse_foreign(const fs::path& out) {
+  constexpr std::string_view kMark = "name=\"generator\" content=\"lentray-batch\"";
+  const auto is_foreign = [&out](const char* name, auto is_ours) {
+    const fs::path file = out / name;
+    return fs::is_regular_file(file, core::ignored_error()) &&
+           fs::file_size(file, core::ignored_error()) > 0 && !is_ours(file);
+  };
+  for (const char* name :
+       {is_foreign("index.html",
+                   [&](const fs::path& file) {
+                     return tool::file_bytes(file).find(kMark) != std::string::npos;
+                   })
+            ? "index.html"
+            : "",
+        is_foreign("manifest.jsonl",
+                   [&](const fs::path& file) {
+                     return fs::exists(out / ".lentray-batch", core::ignored_error()) ||
+                            !rows_in(file).empty();
+                   })
+            ? "manifest.jsonl"
+            : ""}) {
+    if (*name == '\0') continue;
+    throw std::runtime_error("'" + (out / name).string() +
+                             "' is not of lentray-batch and would be overwritten: name another "
+                             "folder by --out, or move it away");
+  }
+}
+
 int batch(const Arguments& arguments) {
   tool::hold_signals();
+  if (arguments.worker.empty()) refuse_foreign(arguments.out);
   if (arguments.restricts && arguments.worker.empty()) tool::refuse_links(arguments.out);
   return arguments.worker.empty() ? Batch(arguments).run() : do_task(arguments);
 }

@@ -70,6 +70,7 @@ bool Manifest::append(const std::string& lines) {
   const std::string text = (m_is_cut ? "\n" : "") + lines;
   const ssize_t put = file < 0 ? -1 : ::write(file, text.data(), text.size());
   const int error = errno;
+  if (file >= 0) (void)::fdatasync(file);
   if (file >= 0) ::close(file);
   m_is_cut = put > 0 ? text[static_cast<std::size_t>(put) - 1] != '\n' : m_is_cut;
   if (put == static_cast<ssize_t>(text.size())) return true;

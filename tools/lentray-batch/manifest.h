@@ -28,6 +28,8 @@ class Manifest {
   /// fills cannot take it then.
   void reserve(std::size_t rows) const;
   void put(Row row);
+  /// The row that is known, with what saves looking at its files again; it is written by tidy().
+  void renew(const Row& row) { m_rows[row.name] = row; }
   /// That picture is to be made: until put() has its row, it waits.
   void await(Row row);
   void drop(const std::string& name) { m_rows.erase(name); }

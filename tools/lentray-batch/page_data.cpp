@@ -107,15 +107,17 @@ void put_picture(json& out, const Row& row, const PageOptions& options, const Te
 }
 
 void put_files(json& out, const Row& row, const TextLimits& limits, Paths& paths) {
-  put(out, "file_count", row.files.size());
-  put(out, "missing_count", row.missing.size());
+  put(out, "file_count", row.seen.files.size());
+  put(out, "missing_count", row.seen.missing.size());
   std::size_t left = limits.files;
-  for (const auto& [path, stamp] : row.files) {
+  for (const auto& [path, stamp] : row.seen.files) {
     if (left-- == 0) break;
     out["files"].push_back(paths(path));
   }
-  for (std::size_t i = 0; i < std::min(limits.files, row.missing.size()); ++i) {
-    out["missing"].push_back(paths(row.missing[i]));
+  left = limits.files;
+  for (const std::string& path : row.seen.missing) {
+    if (left-- == 0) break;
+    out["missing"].push_back(paths(path));
   }
 }
 

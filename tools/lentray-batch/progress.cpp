@@ -11,12 +11,17 @@ namespace lentray::batch {
 
 using Clock = std::chrono::steady_clock;
 
-BatchProgress::BatchProgress(std::size_t total, std::size_t kept, bool quiet)
+BatchProgress::BatchProgress(std::size_t total, std::size_t kept, std::size_t kept_failed,
+                             bool quiet)
     : m_total(total), m_kept(kept), m_quiet(quiet), m_terminal(isatty(STDERR_FILENO) != 0),
       m_start(Clock::now()) {
   if (!m_quiet && kept > 0)
-    say(std::to_string(kept) + " of " + std::to_string(total) +
-        " pictures are there and up to date");
+    say(std::to_string(kept - kept_failed) + " of " + std::to_string(total) +
+        " pictures are there and up to date" +
+        (kept_failed > 0
+             ? "; " + std::to_string(kept_failed) +
+                   " failed before, and nothing of them has changed (--retry tries them)"
+             : ""));
 }
 
 BatchProgress::~BatchProgress() { clear(); }

@@ -12,7 +12,7 @@ namespace lentray::batch {
 class BatchProgress {
  public:
   /// `total` pictures, of which `kept` are there already.
-  BatchProgress(std::size_t total, std::size_t kept, bool quiet);
+  BatchProgress(std::size_t total, std::size_t kept, std::size_t kept_failed, bool quiet);
   ~BatchProgress();
 
   void finished(const Row& row);

@@ -9,6 +9,7 @@
 
 #include "tools/common/json_fields.h"
 #include "tools/common/json_text.h"
+#include "tools/session/seen_json.h"
 
 namespace lentray::batch {
 namespace {
@@ -41,14 +42,6 @@ std::string_view name_of(State state) { return kStates.at(static_cast<std::size_
 static void to_json(json& out, State state) { out = name_of(state); }
 static void from_json(const json& from, State& state) {
   state = state_named(from.get<std::string>());
-}
-
-static void to_json(json& out, const FileStamp& stamp) {
-  out = {stamp.size, stamp.modified, stamp.sum};
-}
-static void from_json(const json& from, FileStamp& stamp) {
-  stamp = {tool::whole_of<std::uint64_t>(from.at(0)), tool::whole_of<std::int64_t>(from.at(1)),
-           tool::whole_of<std::uint64_t>(from.at(2))};
 }
 
 static void json_members(auto& io, tool::Of<Verdict> auto& v) {
@@ -88,6 +81,7 @@ static void json_members(auto& io, tool::Of<Row> auto& r) {
   io.given("width", r.width);
   io.given("height", r.height);
   io.given("bytes", r.bytes);
+  io.given("picture_file", r.picture_file);
   io.given("views", r.views);
   io.given("lens_pixels", r.lens_pixels);
   io.given("left_out", r.left_out);
@@ -103,8 +97,7 @@ static void json_members(auto& io, tool::Of<Row> auto& r) {
   io.given("finished", r.finished);
   io.given("verdict", r.verdict);
   io.given("key", r.key);
-  io.always("files", r.files);
-  io.given("missing", r.missing);
+  json_members(io, r.seen);
 }
 
 json json_of(const Row& row) { return row; }

@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "tools/lentray-batch/warning_kinds.h"
+#include "tools/session/seen.h"
 
 namespace lentray::batch {
 
@@ -21,13 +22,6 @@ namespace lentray::batch {
 /// batch was stopped before it was done.
 enum class State { done, failed, skipped, waiting };
 std::string_view name_of(State state);
-
-/// A file as it was when it was read. The checksum decides; size and time save computing it.
-struct FileStamp {
-  std::uint64_t size = 0;
-  std::int64_t modified = 0;  ///< ns since 1970
-  std::uint64_t sum = 0;
-};
 
 /// Stock's picture beside ours.
 struct Verdict {
@@ -65,7 +59,8 @@ struct Row {
   KindsFound kinds;                   ///< what will be wrong with a sheet
   std::string picture;
   std::uint32_t width = 0, height = 0;
-  std::uint64_t bytes = 0;  ///< of the picture's file
+  std::uint64_t bytes = 0;         ///< of the picture's file
+  tool::FileStamp picture_file{};  ///< it as it was made
   std::vector<std::string>
       views;  ///< files of --views, as their pixels lie behind a lens: the first is the right eye's
   double lens_pixels = 0.0;           ///< pixels a lens of an integral image; 0: no integral image
@@ -78,9 +73,8 @@ struct Row {
   std::optional<Verdict> verdict;  ///< of --compare
 
   // What it depends on.
-  std::string key;                         ///< of program and options
-  std::map<std::string, FileStamp> files;  ///< that were read, the scene too, by absolute path
-  std::vector<std::string> missing;        ///< absolute paths that were looked for in vain
+  std::string key;    ///< of program and options
+  tool::Seen seen{};  ///< by the scene, which is among the files; absolute paths
 };
 
 /// Whether a name leads to a place below a folder: one of a row or task that came with scenes may lead elsewhere.

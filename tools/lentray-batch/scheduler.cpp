@@ -173,6 +173,13 @@ void Scheduler::watch_time(Running& running) {
   }
 }
 
+void Scheduler::watch_log(Running& running) {
+  if (!is_of_pictures(running.kind) || !running.run.job().says_too_much()) return;
+  running.over = "its scene says too much: a picture may have 25 MB of messages";
+  running.is_asked = true;
+  running.child->kill();
+}
+
 /// Lentray keeps to its share itself; stock does not, and libraries may not.
 void Scheduler::watch_memory() {
   double all = 0.0;
@@ -199,6 +206,7 @@ void Scheduler::watch() {
   for (Running& running : m_running) watch_time(running);
   if (Clock::now() - m_watched < kOften) return;
   m_watched = Clock::now();
+  for (Running& running : m_running) watch_log(running);
   watch_memory();
 }
 

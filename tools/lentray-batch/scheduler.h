@@ -65,6 +65,7 @@ class Scheduler {
   void try_others(Running& running, bool was_ended);
   void watch();
   void watch_time(Running& running);
+  static void watch_log(Running& running);
   void watch_memory();
   bool is_waited_for(const Running& running) const;
   void set_back(Running& running);

@@ -99,7 +99,7 @@ int do_task(const Arguments& arguments) {
 
   const std::map<std::string, Row> known = folder.results();
   const fs::path results = folder.result_file(worker);
-  BatchProgress progress(0, 0, true);
+  BatchProgress progress(0, 0, 0, true);
   Scheduler scheduler(
       plan, [&](const Row& row) { append(results, row); }, progress);
   for (const Work& work : folder.task(static_cast<std::size_t>(arguments.task))) {

@@ -44,7 +44,7 @@ class Charting {
     try {
       core::note_input(m_arguments.scene);
       prepare();
-      for (const auto& [path, sum] : m_session.state.files.read) core::note_input(path);
+      for (const auto& [path, sum] : m_session.state.seen.files) core::note_input(path);
       render();
       return finish();
     } catch (const Stopped&) {
@@ -103,7 +103,7 @@ class Charting {
     }
     if (why.empty() && known->key != now)
       why = "the scene's name, an option or the program is another one";
-    if (why.empty()) why = change_in(known->files);
+    if (why.empty()) why = tool::change_in(known->seen);
     if (why.empty()) {
       m_session.state = std::move(*known);
       return;

@@ -16,21 +16,6 @@ using nlohmann::json;
 
 namespace {
 
-FilesRead files_in(const fs::path& dependencies) {
-  const json all = tool::parse_json(tool::read_text(dependencies));
-  FilesRead files;
-  const auto absolute = [](const std::string& path) {
-    return fs::absolute(path).lexically_normal().string();
-  };
-  for (const auto& [path, sum] : all.at("read").items()) {
-    files.read[absolute(path)] = tool::whole_of<std::uint64_t>(sum);
-  }
-  for (const json& path : all.at("missing")) {
-    files.missing.push_back(absolute(path.get<std::string>()));
-  }
-  return files;
-}
-
 /// Small pictures of the scene, which show what an option changes.
 class SmallPictures {
  public:
@@ -112,12 +97,14 @@ Abilities abilities_of(const Session& session) {
 
 void probe_scene(Session& session) {
   const fs::path dependencies = session.folder.own("read.json");
+  const std::int64_t before = tool::now();
   const Outcome said = session.lentray({"--explain", "Dependencies_File=" + dependencies.string()});
   if (said.status != 0) {
     throw std::runtime_error("lentray cannot read the scene: " +
                              reason_of(said, session.arguments.lentray.string()));
   }
-  session.state.files = files_in(dependencies);
+  session.state.seen =
+      tool::seen_in(tool::parse_json(tool::read_text(dependencies)), fs::current_path(), before);
   session.state.facts = facts_of(said.output);
   session.state.facts.width = static_cast<unsigned>(session.request.own.width);
   session.state.facts.height = static_cast<unsigned>(session.request.own.height);

@@ -6,10 +6,10 @@
 
 #include "core/base/ignored_error.h"
 #include "parser/base/shown.h"
-#include "parser/files/watched_files.h"
 #include "tools/common/json_fields.h"
 #include "tools/common/json_text.h"
 #include "tools/common/process.h"
+#include "tools/session/seen_json.h"
 
 namespace lentray::chart {
 
@@ -104,22 +104,9 @@ static void json_members(auto& io, tool::Of<Chart> auto& c) {
 static void json_members(auto& io, tool::Of<ChartState> auto& state) {
   io("key", state.key);
   io("matrix", state.matrix);
-  io("read", state.files.read);
-  io("missing", state.files.missing);
+  json_members(io, state.seen);
   io("facts", state.facts);
   io("chart", state.chart);
-}
-
-std::string change_in(const FilesRead& files) {
-  for (const auto& [path, sum] : files.read) {
-    const auto now = parser::file_checksum(path);
-    if (!now) return path + " is gone";
-    if (*now != sum) return path + " has changed";
-  }
-  for (const std::string& path : files.missing) {
-    if (fs::exists(path, core::ignored_error())) return path + " has come to be";
-  }
-  return "";
 }
 
 std::string text_of(const ChartState& state) { return tool::json_text(state, 1) + "\n"; }

@@ -2,31 +2,21 @@
 // its scene read. One thread.
 #pragma once
 
-#include <cstdint>
 #include <filesystem>
-#include <map>
 #include <optional>
 #include <string>
-#include <vector>
 
 #include "tools/common/own_folder.h"
 #include "tools/lentray-chart/chart.h"
 #include "tools/lentray-chart/facts.h"
+#include "tools/session/seen.h"
 
 namespace lentray::chart {
-
-/// Files of a scene as they were.
-struct FilesRead {
-  std::map<std::string, std::uint64_t> read{};  ///< absolute path and checksum
-  std::vector<std::string> missing{};           ///< absolute paths that were looked for in vain
-};
-/// The first file that is not as it was, and what became of it, as "scene.pov has changed"; empty: none.
-std::string change_in(const FilesRead& files);
 
 struct ChartState {
   std::string key{};     ///< program, scene and options: a chart of others begins anew
   std::string matrix{};  ///< which settings were asked for: crossed ones hold for these alone
-  FilesRead files{};
+  tool::Seen seen{};     ///< by its scene; absolute paths
   SceneFacts facts{};
   Chart chart{};
 };

@@ -59,7 +59,7 @@ struct Run {
   std::string output;  ///< where the picture goes; empty: nowhere
   core::FileType type = core::FileType::png;
   CameraSetup camera{};
-  Identity identity{};  ///< of this picture; its files once the scene is read
+  Identity identity{};  ///< of this picture; what its scene saw once that is read
   shadow::RunReport report{};
 };
 
@@ -147,7 +147,7 @@ void write_dependencies(const Run& run, const SceneDisk& disk) {
   const RenderOptions& o = run.options;
   if (o.dependencies_file.empty()) return;
   write_whole(parser::frame_path(o, o.dependencies_file),
-              json_text(disk.dependencies(run.identity.program), 1) + "\n");
+              json_text(disk.dependencies(run.identity.program, run.identity.seen), 1) + "\n");
 }
 
 /// Pictures of views share a scene, unless it asks for a clock that is another now. A command
@@ -161,9 +161,16 @@ bool can_share(const Picture& what, const Reading& reading) {
   };
   if (!has_command(parser::CommandKind::kPreFrame) && !has_command(parser::CommandKind::kPostFrame))
     return true;
-  Identity then;
-  then.files = what.kept->disk.checksums();
-  return difference_of_files(then, what.scene).empty();
+  return change_in(what.kept->disk.seen(), what.scene).empty();
+}
+
+/// As far as the scene was read.
+void note_seen(Run& run, const Picture& what) {
+  Seen& seen = run.identity.seen = what.kept->disk.seen();
+  if (!what.kept->session) return;
+  const parser::PictureReads& reads = what.kept->session->reads();
+  if (reads.name) seen.name = what.scene;
+  seen.now = reads.now;
 }
 
 CameraOptions camera_of(const Picture& what) {
@@ -200,6 +207,7 @@ void read_scene(Run& run, const Picture& what, Reading reading) {
     tell_of_camera(run, what);
     if (run.options.depth) check_depth(run.camera, run.options);
   } catch (...) {
+    note_seen(run, what);
     write_dependencies(run, scene.disk);
     throw;
   }
@@ -214,16 +222,18 @@ void read_scene(Run& run, const Picture& what, Reading reading) {
 /// Scene and camera.
 void find_scene(Run& run, const Picture& what, const std::atomic<bool>& cancel) {
   Reading reading = reading_of(run.options, run.clock, what.scene, &cancel);
+  if (run.options.continues && is_file_place(run.output))
+    reading.parser.now = moment_of(run.output);
   if (can_share(what, reading)) {
     run.camera = what.kept->session->another_view(*what.kept->sheet, camera_of(what));
   } else {
     read_scene(run, what, std::move(reading));
   }
+  note_seen(run, what);
   write_dependencies(run, what.kept->disk);
-  run.identity.files = what.kept->disk.checksums();
   if (const std::string file = RadiosityStore::input(run.options); !file.empty()) {
     core::note_input(file);
-    if (const auto sum = parser::file_checksum(file)) run.identity.files[file] = *sum;
+    if (const auto sum = parser::file_checksum(file)) run.identity.seen.files[file].sum = *sum;
   }
 }
 
@@ -246,7 +256,7 @@ std::unique_ptr<RadiosityStore> radiosity_store(const Run& run, const SceneInUse
   if (!o.radiosity_from_file && !o.radiosity_to_file) return nullptr;
   const Identity identity{run.identity.program,
                           parser::light_lines(o) + session.radiosity_lines(run.camera),
-                          scene.disk.checksums()};
+                          run.identity.seen};
   auto store = std::make_unique<RadiosityStore>(o, identity);
   store->read();
   return store;

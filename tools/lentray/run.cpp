@@ -170,6 +170,7 @@ Status run(const RenderOptions& options, const std::atomic<bool>& cancel, Messag
            Warnings& warnings) {
   const SceneFile file(options);
   core::claim_writable(parser::ini_path(options), "Create_Ini");
+  if (options.create_ini) (void)parser::ini_text(options);  // that there can be one
   Loop loop(options, file.path(), cancel, form, warnings);
   try {
     const Status status = run_loop(options, loop, form);

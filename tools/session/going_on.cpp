@@ -3,6 +3,7 @@
 #include <filesystem>
 
 #include "parser/options/options.h"
+#include "tools/session/pass_file.h"
 #include "tools/session/picture_journal.h"
 
 namespace lentray::tool {
@@ -18,9 +19,9 @@ bool is_finished(const std::string& picture, const Identity& identity, const std
   const auto earlier = PictureJournal::earlier(picture);
   if (earlier) {
     Identity now = identity;
-    now.files = earlier->identity.files;
+    now.seen = earlier->identity.seen;
     std::string why = difference(earlier->identity, now);
-    if (why.empty() && !scene.empty()) why = difference_of_files(earlier->identity, scene);
+    if (why.empty() && !scene.empty()) why = change_in(now.seen, scene);
     if (!why.empty()) {
       throw parser::OptionError("'" + picture + "' cannot be continued: " + why +
                                 (earlier->is_finished ? " since the frame was made" : "") +
@@ -28,6 +29,12 @@ bool is_finished(const std::string& picture, const Identity& identity, const std
     }
   }
   return std::filesystem::exists(picture) && (!earlier || earlier->is_finished);
+}
+
+std::optional<double> moment_of(const std::string& picture) {
+  if (const auto journal = PictureJournal::earlier(picture)) return journal->identity.seen.now;
+  const auto passes = PassFile::earlier(picture);
+  return passes ? passes->seen.now : std::nullopt;
 }
 
 }  // namespace lentray::tool

@@ -11,7 +11,9 @@
 #include "core/base/formed.h"
 #include "parser/files/watched_files.h"
 #include "parser/options/create_ini.h"
+#include "tools/common/json_text.h"
 #include "tools/common/version.h"
+#include "tools/session/seen_json.h"
 
 namespace lentray::tool {
 namespace {
@@ -55,38 +57,22 @@ std::string other_line(const std::string& text, const std::string& other) {
   return "nothing";
 }
 
-const char* shown(const std::string& path) { return path.empty() ? "the scene" : path.c_str(); }
-
 }  // namespace
 
-std::string Identity::text() const {
-  std::string out = "program " + program + "\n";
-  std::istringstream lines(options);
-  for (std::string line; std::getline(lines, line);) out += "option " + line + "\n";
-  for (const auto& [path, sum] : files) out += "file " + hexadecimal(sum) + " " + path + "\n";
-  return out;
+static void json_members(auto& io, Of<Identity> auto& identity) {
+  io("program", identity.program);
+  io("options", identity.options);
+  json_members(io, identity.seen);
 }
+
+std::string Identity::text() const { return json_text(*this); }
 
 std::string Identity::sum() const { return hexadecimal(parser::checksum(text())); }
 
-Identity Identity::of_text(const std::string& text) {
-  Identity out;
-  std::istringstream lines(text);
-  for (std::string line; std::getline(lines, line);) {
-    const auto rest = [&line](const char* word) {
-      return line.substr(std::min(line.size(), std::strlen(word)));
-    };
-    if (line.starts_with("program ")) {
-      out.program = rest("program ");
-    } else if (line.starts_with("option ")) {
-      out.options += rest("option ") + "\n";
-    } else if (line.starts_with("file ") && line.size() >= 22) {
-      out.files[line.substr(22)] = std::stoull(line.substr(5, 16), nullptr, 16);
-    } else {
-      throw std::invalid_argument(line);
-    }
-  }
-  return out;
+Identity Identity::of_text(const std::string& text) try {
+  return parse_json(text).get<Identity>();
+} catch (const nlohmann::json::exception& error) {
+  throw std::invalid_argument(error.what());
 }
 
 std::string clock_line(const parser::FrameClock& f) {
@@ -109,23 +95,7 @@ std::string difference(const Identity& then, const Identity& now) {
     return "it was begun with " + other_line(then.options, now.options) + ", and now there is " +
            other_line(now.options, then.options);
   }
-  for (const auto& [path, sum] : now.files) {
-    const auto at = then.files.find(path);
-    if (at == then.files.end() || at->second != sum)
-      return std::string(shown(path)) + " has changed";
-  }
-  for (const auto& [path, sum] : then.files) {
-    if (!now.files.contains(path)) return std::string(shown(path)) + " is not read any more";
-  }
-  return "";
-}
-
-std::string difference_of_files(const Identity& then, const std::string& scene) {
-  for (const auto& [path, sum] : then.files) {
-    if (parser::file_checksum(path.empty() ? scene : path) != sum)
-      return std::string(shown(path)) + " has changed";
-  }
-  return "";
+  return change_of(then.seen, now.seen);
 }
 
 }  // namespace lentray::tool

@@ -1,22 +1,22 @@
 // What a picture depends on: the program, the options that decide its pixels, its frame's clock,
-// and the files that were read. A picture is continued (+C) only if all of it is as it was. One
+// and what its scene saw outside. A picture is continued (+C) only if all of it is as it was. One
 // thread.
 #pragma once
 
-#include <cstdint>
-#include <map>
 #include <string>
 
 #include "parser/options/animation.h"
 #include "parser/options/options.h"
+#include "tools/session/seen.h"
 
 namespace lentray::tool {
 
 struct Identity {
-  std::string program;                         ///< changes whenever the program does
-  std::string options;                         ///< lines
-  std::map<std::string, std::uint64_t> files;  ///< checksums by path; the scene's path is ""
+  std::string program;  ///< changes whenever the program does
+  std::string options;  ///< lines
+  Seen seen{};          ///< with checksums alone; the scene's path is ""
 
+  /// JSON.
   std::string text() const;
   /// Of the text, as a word.
   std::string sum() const;
@@ -28,12 +28,10 @@ struct Identity {
 std::string clock_line(const parser::FrameClock& clock);
 std::string frame_number_line(const parser::FrameClock& clock);
 
-/// Without files.
+/// Without what was seen.
 Identity identity_of(const parser::RenderOptions& options, const parser::FrameClock& clock);
 
 /// What is different now, ready to follow "the picture cannot be continued: "; empty: nothing.
 std::string difference(const Identity& then, const Identity& now);
-/// The same before the scene is read: its files are looked at again.
-std::string difference_of_files(const Identity& then, const std::string& scene);
 
 }  // namespace lentray::tool

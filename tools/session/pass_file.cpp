@@ -23,7 +23,7 @@ namespace {
 constexpr std::uint32_t kMostPasses = 64;
 
 /// Of the file.
-constexpr FileMark kMark{"lentray passes", 1};
+constexpr FileMark kMark{"lentray passes", 2};
 /// Before a record.
 struct Head {
   std::uint32_t mark = 0x4c525041, pass = 0;
@@ -55,6 +55,22 @@ PassFile::PassFile(const std::string& picture, const Identity& identity,
 PassFile::~PassFile() {
   flush();
   if (m_file >= 0) ::close(m_file);
+}
+
+std::optional<Identity> PassFile::earlier(const std::string& picture) {
+  for (const char* end : {"", ".part"}) {
+    struct stat about {};
+    const std::string path = passes_path(picture) + end;
+    if (::lstat(path.c_str(), &about) != 0 || !S_ISREG(about.st_mode)) continue;
+    const std::string bytes = file_bytes(path);
+    std::string_view rest = bytes, identity;
+    try {
+      if (take_start(rest, identity)) return Identity::of_text(std::string(identity));
+    } catch (const std::invalid_argument&) {
+      continue;
+    }
+  }
+  return std::nullopt;
 }
 
 void PassFile::forget(const std::string& picture) {
@@ -141,6 +157,7 @@ void PassFile::finish() {
     return;
   }
   flush();
+  if (m_file >= 0) (void)::fsync(m_file);
   if (!m_is_off && std::rename(m_part.c_str(), m_path.c_str()) != 0) give_up(std::strerror(errno));
 }
 

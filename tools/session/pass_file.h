@@ -12,6 +12,7 @@
 #include <chrono>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -31,6 +32,8 @@ class PassFile final : public core::PassLedger {
   PassFile(const PassFile&) = delete;
   PassFile& operator=(const PassFile&) = delete;
 
+  /// What the passes depend on that an earlier run began. Empty: there are none.
+  static std::optional<Identity> earlier(const std::string& picture);
   /// Nothing is kept of that picture's passes any more.
   static void forget(const std::string& picture);
   /// Continues what there is. Throws if that is of something else, or if another run is at it.

@@ -31,7 +31,7 @@ constexpr std::size_t kBytes =
 /// How a journal begins. Its length makes it whole or not.
 struct Start {
   char magic[16] = "lentray journal";
-  std::uint32_t version = 1, is_finished = 0;
+  std::uint32_t version = 2, is_finished = 0;
   std::uint64_t size = 0, sum = 0;  ///< of the identity's text
 };
 

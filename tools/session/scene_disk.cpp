@@ -6,6 +6,7 @@
 #include "parser/files/memory_writes.h"
 #include "parser/restrictions/restricted_files.h"
 #include "parser/restrictions/run_rules.h"
+#include "tools/common/json_fields.h"
 
 namespace lentray::tool {
 SceneDisk::SceneDisk(const parser::RenderOptions& options, const std::string& scene)
@@ -26,17 +27,24 @@ SceneDisk::SceneDisk(const parser::RenderOptions& options, const std::string& sc
   m_watched.emplace(*m_files);
 }
 
-std::map<std::string, std::uint64_t> SceneDisk::checksums() const {
-  std::map<std::string, std::uint64_t> out;
-  for (const auto& [file, sum] : m_watched->seen()) out[file == m_scene ? "" : file] = sum;
+Seen SceneDisk::seen() const {
+  Seen out;
+  for (const auto& [file, sum] : m_watched->seen())
+    out.files[file == m_scene ? "" : file].sum = sum;
+  out.missing = m_watched->missing();
+  out.there = m_watched->there();
   return out;
 }
 
-nlohmann::json SceneDisk::dependencies(const nlohmann::json& program) const {
-  return {{"program", program},
-          {"read", m_watched->seen()},
-          {"missing", m_watched->missing()},
-          {"written", m_watched->written()}};
+nlohmann::json SceneDisk::dependencies(const nlohmann::json& program, const Seen& seen) const {
+  nlohmann::json out{{"program", program},
+                     {"read", m_watched->seen()},
+                     {"missing", seen.missing},
+                     {"there", seen.there},
+                     {"written", m_watched->written()}};
+  put(out, "input_file_name", seen.name);
+  put(out, "now", seen.now);
+  return out;
 }
 
 }  // namespace lentray::tool

@@ -3,7 +3,6 @@
 // Max_Files. One thread.
 #pragma once
 
-#include <map>
 #include <memory>
 #include <nlohmann/json_fwd.hpp>
 #include <optional>
@@ -13,6 +12,7 @@
 #include "parser/files/files.h"
 #include "parser/files/watched_files.h"
 #include "parser/options/options.h"
+#include "tools/session/seen.h"
 
 namespace lentray::tool {
 
@@ -23,10 +23,11 @@ class SceneDisk {
   const std::vector<std::string>& warnings() const { return m_warnings; }
   /// Must outlive whatever reads the scene's pictures and fonts.
   parser::Files& files() { return *m_watched; }
-  /// Of what was read, by path; the scene's own under "", as identities have it.
-  std::map<std::string, std::uint64_t> checksums() const;
-  /// What a Dependencies_File says: read, missing and written files. `program`: its checksum.
-  nlohmann::json dependencies(const nlohmann::json& program) const;
+  /// With checksums alone, the scene's own under "", as identities have it.
+  Seen seen() const;
+  /// What a Dependencies_File says: read, missing, found and written files, and what the scene asked for besides.
+  /// `program`: its checksum.
+  nlohmann::json dependencies(const nlohmann::json& program, const Seen& seen) const;
 
  private:
   const std::string m_scene;

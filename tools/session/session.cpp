@@ -133,7 +133,8 @@ bool Session::serves(const parser::ParserOptions& other) const {
   return (!m_reads.clock || clocks(own.frame) == clocks(other.frame)) &&
          (!m_reads.frames || frames(own.frame) == frames(other.frame)) &&
          (!m_reads.width || own.image_width == other.image_width) &&
-         (!m_reads.height || own.image_height == other.image_height);
+         (!m_reads.height || own.image_height == other.image_height) &&
+         (!m_reads.now || !other.now || m_reads.now == other.now);
 }
 
 CameraSetup Session::camera(const CameraOptions& options) {

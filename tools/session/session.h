@@ -69,6 +69,8 @@ class Session {
 
   /// Whether the scene of another picture would be the same: what it asked for is.
   bool serves(const parser::ParserOptions& other) const;
+  /// What the scene asked for besides files.
+  const parser::PictureReads& reads() const { return m_reads; }
   const core::Scene& scene() const { return *m_scene; }
   const std::vector<std::string>& not_rendered() const { return m_built.not_rendered; }
 

@@ -135,7 +135,7 @@ class UnitRadiosityStore : public ::testing::Test {
 
   const TemporaryFolder temporary;
   const fs::path folder = temporary.path();
-  const Identity identity{"program 1", "Quality=9\nclock 0\n", {{"", 17}, {"a.inc", 4}}};
+  const Identity identity{"program 1", "Quality=9\nclock 0\n", {{{"", {17}}, {"a.inc", {4}}}}};
 };
 
 TEST_F(UnitRadiosityStore, APassIsUsedAgain) {
@@ -151,10 +151,10 @@ TEST_F(UnitRadiosityStore, AnotherPassIsRefusedWithTheDifference) {
     EXPECT_NE(why.find(text), std::string::npos) << why;
   };
   Identity other = identity;
-  other.files["a.inc"] = 5;
+  other.seen.files["a.inc"].sum = 5;
   expect(other, "a.inc has changed");
   other = identity;
-  other.files[""] = 18;
+  other.seen.files[""].sum = 18;
   expect(other, "the scene has changed");
   other = identity;
   other.options = "Quality=9\nclock 1\n";

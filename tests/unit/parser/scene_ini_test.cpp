@@ -46,6 +46,7 @@ TEST(UnitSceneIni, NamesNoFiles) {
   constexpr const char* kName = "outside/stolen";
   for (const OptionRow& row : option_table()) {
     if (row.name == "Library_Path" || row.name == "Include_Header") continue;
+    if (row.name == "Sheet_At") continue;  // an object of the scene
     for (const std::string& line :
          {std::string(row.name) + "=" + kName, "+" + std::string(row.switch_name) + kName,
           "-" + std::string(row.switch_name) + kName}) {

@@ -56,7 +56,7 @@ class UnitPassFile : public ::testing::Test {
   const fs::path folder =
       fs::temp_directory_path() / ("lentray-" + std::to_string(::getpid()) +
                                    ::testing::UnitTest::GetInstance()->current_test_info()->name());
-  const Identity identity{"program 1", "option\n", {{"", 17}, {"a.inc", 4}}};
+  const Identity identity{"program 1", "option\n", {{{"", {17}}, {"a.inc", {4}}}}};
   const std::vector<std::vector<std::string>> kept{{"one", std::string(10000, 'x')},
                                                    {"", std::string("t\0wo", 4)}};
 };
@@ -157,7 +157,7 @@ TEST_F(UnitPassFile, AFileThatIsNoneIsLeft) {
 TEST_F(UnitPassFile, AnotherScenesFileIsRefused) {
   write_some();
   Identity other = identity;
-  other.files["a.inc"] = 5;
+  other.seen.files["a.inc"].sum = 5;
   PassFile file(picture(), other);
   try {
     file.go_on();

@@ -336,7 +336,7 @@ TEST_F(UnitBatchPageOf, StrangersTextStaysText) {
   row.messages = {"]]></script>", std::string("nul\0byte", 8)};
   row.command = {"lentray", "</script>"};
   row.left_out = {"<b>"};
-  row.files["/a/</script>"] = {};
+  row.seen.files["/a/</script>"] = {};
   PageOptions with = options();
   with.title = "<script>&\"\x07\xff";
   const std::string text = page({row}, with);
@@ -374,8 +374,8 @@ TEST_F(UnitBatchPageOf, PictureTimesAndMessages) {
   row.rendering = 0.123456;
   row.memory = 5000;
   row.views = {"v 1.png"};
-  row.files["/x/colors.inc"] = {1, 2, 3};
-  row.missing = {"/x/none.inc"};
+  row.seen.files["/x/colors.inc"] = {1};
+  row.seen.missing = {"/x/none.inc"};
   const json all = data({row}), one = all["rows"][0];
   const StoredImage small = decoded(one["picture"]);
   EXPECT_EQ(small.width, 40u);
@@ -534,7 +534,7 @@ class UnitBatchPageSize : public UnitBatchPageOf {
       row.verdict = graded("match", file, file);
       row.messages.assign(lines, "scene.pov:12: warning: <" + std::string(100, 'x') + ">");
       for (int k = 0; k < 20; ++k)
-        row.files["/usr/share/include/" + std::to_string(k) + ".inc"] = {};
+        row.seen.files["/usr/share/include/" + std::to_string(k) + ".inc"] = {};
       all.push_back(std::move(row));
     }
     return all;
@@ -608,7 +608,7 @@ TEST_F(UnitBatchPageForBrowser, Write) {
   rows.back().messages = {"first.pov:3: warning: dull", "Rendered."};
   rows.back().warnings = 1;
   rows.back().command = {"lentray", "first scene.pov", "+W160", "it's"};
-  rows.back().files["/scenes/plain/first scene.pov"] = {};
+  rows.back().seen.files["/scenes/plain/first scene.pov"] = {};
   // Five views of one colour each: red is 40 j + 40.
   rows.push_back(shown("lens/five", columns(400, 300, lens), "pictures/five.png"));
   rows.back().lens_pixels = 5.0;

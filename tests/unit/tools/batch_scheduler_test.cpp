@@ -90,7 +90,7 @@ class UnitBatchScheduler : public testing::Test {
     plan.state = &state;
     Watchdog watchdog(std::chrono::seconds(20));
     std::vector<std::string> ended;
-    BatchProgress progress(names.size(), 0, true);
+    BatchProgress progress(names.size(), 0, 0, true);
     Scheduler scheduler(
         plan,
         [&](const Row& row) {

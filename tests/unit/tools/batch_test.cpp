@@ -16,7 +16,6 @@
 #include "tools/lentray-batch/manifest.h"
 #include "tools/lentray-batch/run_log.h"
 #include "tools/lentray-batch/scan.h"
-#include "tools/lentray-batch/stamps.h"
 #include "tools/lentray-batch/state_folder.h"
 #include "tools/lentray-batch/table.h"
 #include "tools/lentray-batch/tasks.h"
@@ -294,8 +293,12 @@ Row full_row() {
   row.verdict->noise_bias = 0.0;
   row.verdict->noise_cpu = 9.5;
   row.key = "0123456789abcdef";
-  row.files["/x/a/b.pov"] = {10, 20, 0xffffffffffffffff};
-  row.missing = {"/x/a/c.inc"};
+  row.picture_file = {7};
+  row.seen.files["/x/a/b.pov"] = {0xffffffffffffffff, 10, 20, 30, 40};
+  row.seen.missing = {"/x/a/c.inc"};
+  row.seen.there = {"/x/a/d.inc"};
+  row.seen.name = "b.pov";
+  row.seen.now = 9801.1234567890123;
   return row;
 }
 
@@ -303,7 +306,8 @@ TEST_F(UnitBatch, RowsSurviveAsJson) {
   const nlohmann::json whole = json_of(full_row());
   EXPECT_EQ(json_of(row_of(whole)), whole);
   EXPECT_EQ(row_of(whole).kinds.at("jumps"), "the background moves");
-  EXPECT_EQ(row_of(whole).files.at("/x/a/b.pov").sum, 0xffffffffffffffff);
+  EXPECT_EQ(row_of(whole).seen, full_row().seen);
+  EXPECT_EQ(row_of(whole).picture_file, full_row().picture_file);
   EXPECT_EQ(row_of(whole).verdict->psnr, 41.5);
   EXPECT_EQ(row_of(whole).verdict->noise_rms, 0.375);
   EXPECT_EQ(row_of(whole).verdict->noise_bias, 0.0);
@@ -395,19 +399,6 @@ TEST_F(UnitBatch, FilesOfOtherKeysAreForgotten) {
   EXPECT_FALSE(fs::exists(state.file("x", old, "log")));
   EXPECT_TRUE(fs::exists(state.file("x", now, "log")));
   EXPECT_TRUE(fs::exists(state.file("x.y", old, "log")));
-}
-
-TEST_F(UnitBatch, StampsTellWhatHasChanged) {
-  put("a.inc", "one");
-  const FileStamp stamp = *stamp_of(m_folder / "a.inc");
-  EXPECT_TRUE(is_as_it_was(m_folder / "a.inc", stamp));
-  fs::last_write_time(m_folder / "a.inc", fs::file_time_type::clock::now() + std::chrono::hours(1));
-  EXPECT_TRUE(is_as_it_was(m_folder / "a.inc", stamp)) << "touched, but the same";
-  put("a.inc", "two");
-  EXPECT_FALSE(is_as_it_was(m_folder / "a.inc", stamp));
-  EXPECT_FALSE(is_as_it_was(m_folder / "gone", stamp));
-  EXPECT_EQ(stamp_read(m_folder / "a.inc", 5, 0).modified, 0)
-      << "written since: its checksum is to decide";
 }
 
 TEST_F(UnitBatch, KeysFollowWhatDecidesThePicture) {

@@ -25,7 +25,7 @@ ChartState full_state() {
   ChartState s;
   s.key = "k";
   s.matrix = "quick media";
-  s.files = {{{"/a.pov", 18446744073709551615u}}, {"/b.inc"}};
+  s.seen = {.files = {{"/a.pov", {18446744073709551615u}}}, .missing = {"/b.inc"}};
   s.facts = {320, 240, true, "thick", true, true, true, 40,    2,
              0.5, 80,  9000, 60,      17,   9,    12,   {7, 4}};
   Chart& c = s.chart;
@@ -62,7 +62,7 @@ TEST(UnitChartState, IsReadBackAsItWas) {
   const ChartState s = full_state();
   const ChartState back = state_of(text_of(s));
   EXPECT_EQ(text_of(back), text_of(s));
-  EXPECT_EQ(back.files.read, s.files.read);
+  EXPECT_EQ(back.seen, s.seen);
   const Point& p = back.chart.points[0];
   EXPECT_EQ(p.cpu_s, s.chart.points[0].cpu_s);
   EXPECT_EQ(p.setting.kind, Kind::media);
@@ -93,20 +93,6 @@ TEST(UnitChartState, DamagedTextIsRefused) {
   std::string kind = whole;
   kind.replace(kind.find("\"media\",\n"), 7, "\"merry\"");
   EXPECT_THROW(state_of(kind), std::runtime_error);
-}
-
-TEST(UnitChartState, SeesWhatHasChanged) {
-  const tool::TemporaryFolder folder;
-  const std::string a = (folder / "a.pov").string(), b = (folder / "b.inc").string();
-  tool::write_text(a, "one");
-  const FilesRead files{{{a, *parser::file_checksum(a)}}, {b}};
-  EXPECT_EQ(change_in(files), "");
-  tool::write_text(b, "");
-  EXPECT_EQ(change_in(files), b + " has come to be");
-  tool::write_text(a, "two");
-  EXPECT_EQ(change_in(files), a + " has changed");
-  fs::remove(a);
-  EXPECT_EQ(change_in(files), a + " is gone");
 }
 
 std::string said_of_folder(const fs::path& out) {

@@ -155,21 +155,21 @@ TEST_F(UnitPictureJournal, SilentAtFirst) {
 
 TEST_F(UnitPictureJournal, IdentitiesSayWhatIsDifferent) {
   Identity then = identity();
-  then.files = {{"", 1}, {"a b.inc", 2}};
+  then.seen.files = {{"", {1}}, {"a b.inc", {2}}};
   const Identity read = Identity::of_text(then.text());
   EXPECT_EQ(difference(then, read), "");
   Identity now = then;
-  now.files["a b.inc"] = 3;
+  now.seen.files["a b.inc"].sum = 3;
   EXPECT_EQ(difference(then, now), "a b.inc has changed");
   now = then;
-  now.files.erase("");
+  now.seen.files.erase("");
   EXPECT_EQ(difference(then, now), "the scene is not read any more");
   now = then;
   now.program = "0.0";
   EXPECT_EQ(difference(then, now), "another version of the program began it");
   EXPECT_NE(then.program.find(' '), std::string::npos);
   EXPECT_EQ(then.program.substr(then.program.find(' ') + 1).size(), 16u) << "the linker's build id";
-  EXPECT_NE(difference_of_files(then, "/dev/null"), "");
+  EXPECT_NE(change_in(then.seen, "/dev/null"), "");
   options.threads = 3;
   options.pixel_order = "rows";
   EXPECT_EQ(difference(identity(), Identity::of_text(identity_of({}, {}).text())), "")
