@@ -78,7 +78,7 @@ figures() {
     'P="scenes/demo.pov Lenticular=On Lens_Sheet=40lpi Sheet_Width=100mm Sheet_Height=75mm Print_DPI=300
        View_Distance=40cm +A0.1"; lentray $P +Oout/print.png; lentray $P Depth=viewer +Oout/viewer.png;
      for S in print viewer; do for E in -15 0 15; do
-       lentray-views out/$S.png --eye=$E --size 320x240 --out out/$S$E.png; done; done;
+       lentray-views out/$S.png --eye=$E --size 240x180 --out out/$S$E.png; done; done;
      oiiotool out/print-15.png out/print0.png out/print15.png out/viewer-15.png out/viewer0.png out/viewer15.png
        --mosaic:pad=4 3x2 -o docs/depth/three.png' docs/depth/three.png
   $1 prints docs/depth/prints.md '(2 h)' \

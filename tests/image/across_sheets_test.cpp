@@ -197,8 +197,9 @@ TEST_F(ImageAcrossSheets, ViewsArePutTogetherAgain) {
 /// A flip of ready pictures is as large as it is asked for, and its page shows it upright.
 TEST_F(ImageAcrossSheets, PagesShowItUpright) {
   run("lentray", {"+Ia.pov", "-V", "+W80", "+H60", "+Of0.png"});
-  run("lentray-views", {"--interlace", "f0.png", "f0.png", "--across", "--lens-sheet", "40lpi",
-                        "--dpi", "240", "--size", "40x30mm", "--out", "flip.png"});
+  run("lentray-views",
+      {"--interlace", "f0.png", "f0.png", "--across", "--lens-sheet", "40lpi", "--dpi", "240",
+       "--size", "40x30mm", "--view-distance", "inf", "--out", "flip.png"});
   const StoredImage flip = upright("flip.png");
   EXPECT_EQ(flip.width, 378u);
   EXPECT_EQ(flip.height, 283u);

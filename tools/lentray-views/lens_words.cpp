@@ -45,16 +45,17 @@ bool says_pitch(const RenderOptions& words) {
   return lens.pitch || lens.lpi || lens.print_lpi || (lens.thickness && lens.angle);
 }
 
-void complete_lens(RenderOptions& words, SheetOptions& sheet) {
+void complete_lens(RenderOptions& words, SheetOptions& sheet, bool has_size) {
   LensRequest& lens = words.lens;
   const bool is_described = !words.lens_sheet.empty() || lens.lpi || lens.print_lpi ||
                             lens.thickness || lens.radius || lens.angle;
   take_sheet(sheet, lens);
   parser::apply_lens_sheet(words, parser::installed_lens_sheet_files());
-  if (!says_pitch(words) && lens.print_dpi && lens.pixels) {
-    lens.print_lpi = strips_an_inch(lens);
-    if (!lens.view_distance) lens.view_distance = 0.0;
+  // As lentray has it of prints.
+  if (!lens.view_distance && (has_size || lens.has_print_data())) {
+    lens.view_distance = camera::kUsualViewDistance;
   }
+  if (!says_pitch(words) && lens.print_dpi && lens.pixels) lens.print_lpi = strips_an_inch(lens);
   if (!says_pitch(words)) return;
   try {
     if (is_described) {

@@ -16,8 +16,8 @@ void take_lens_word(parser::RenderOptions& words, std::string_view name,
                     const parser::GivenOption& given);
 
 /// What a command line says of its lenses, complete: the words have the data of the sheet that they name and what `sheet`
-/// says, and `sheet` has what follows from the words.
-void complete_lens(parser::RenderOptions& words, SheetOptions& sheet);
+/// says, and `sheet` has what follows from the words. `has_size`: the lens sheet's size is said too.
+void complete_lens(parser::RenderOptions& words, SheetOptions& sheet, bool has_size);
 
 /// Whether the words say how wide lenses are.
 bool says_pitch(const parser::RenderOptions& words);

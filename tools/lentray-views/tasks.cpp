@@ -271,7 +271,7 @@ Report do_task(const Arguments& given) {
     report.said = parser::lens_sheet_list(given.lens_words, parser::installed_lens_sheet_files());
     return report;
   }
-  complete_lens(arguments.lens_words, arguments.sheet);
+  complete_lens(arguments.lens_words, arguments.sheet, arguments.size_mm.has_value());
   if (!given.given_order) {
     if (auto files = tool::natural_order_instead(given.pictures)) {
       arguments.pictures = std::move(*files);
