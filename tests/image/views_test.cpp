@@ -410,7 +410,8 @@ TEST_F(ImageViews, PairsAndMovingPictures) {
   EXPECT_EQ(moving.output, "w.gif: 14 frames of 53 x 40 pixels\n");
   EXPECT_EQ(read("w.gif").width, 53u);
   expect_done({"sheet.png", "--wiggle", "w.png", "--views", "2..4"});
-  EXPECT_EQ(read("w.png").width, 53u);
+  EXPECT_EQ(read("w.png").width, 60u);  // square pixels, none of the sheet's lost
+  EXPECT_EQ(read("w.png").height, 45u);
 }
 
 TEST_F(ImageViews, PhotographsBecomeASheet) {

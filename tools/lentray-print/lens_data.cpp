@@ -51,6 +51,7 @@ std::optional<LensOfPicture> lens_of(const core::StoredImage& image) {
   LensOfPicture lens{*pitch, *f, *ior};
   lens.view_distance = positive_field(image, "view_distance_mm").value_or(0.0);
   lens.model = field_of(image, "model").value_or("pinhole");
+  lens.has_scenes_eye = field_of(image, "scene_distance").has_value();
   return lens;
 }
 

@@ -21,6 +21,7 @@ struct LensOfPicture {
   double pitch = 0.0, focal_length = 0.0, ior = 1.0;
   double view_distance = 0.0;  ///< 0: infinite
   std::string model{};
+  bool has_scenes_eye = false;  ///< the scene is seen from its own camera (Depth=print)
 
   /// f/(nV): by how much strips are wider apart than lenses.
   double widening() const {

@@ -126,13 +126,13 @@ std::string render_options(const LensData& data, double print_pitch, double lens
   const LensOfPicture& lens = *data.lens;
   const double pixels = print_pitch * data.dpi_x / kInch;
   const double pitch = print_pitch / (1.0 + lens.widening());
-  const std::string out = core::formed(
+  std::string out = core::formed(
       "+W%lld +H%u Lenticular=On Lens_Pitch=%.15g Lens_Pixels=%.15g "
       "Lens_Focal_Length=%.15g Lens_IOR=%.15g Lens_Model=%s View_Distance=",
       std::llround(lenses * pixels), height, pitch, pixels, lens.focal_length, lens.ior,
       lens.model.c_str());
-  if (!(lens.view_distance > 0.0)) return out + "inf";
-  return out + core::formed("%.15g", lens.view_distance);
+  out += lens.view_distance > 0.0 ? core::formed("%.15g", lens.view_distance) : "inf";
+  return lens.has_scenes_eye ? out + " Depth=print" : out;
 }
 
 }  // namespace lentray::print
