@@ -12,7 +12,7 @@ namespace {
 /// depth, and what a survey missed beyond it does not jump.
 constexpr double kFar = 10.0;
 /// The part of the budget that is left for points between the rays of a survey.
-constexpr double kSpare = 5e-3;
+constexpr double kSpare = 2.5e-2;
 /// A sheet that stands nearer than that part of the distance to where it was surveyed shows the same.
 constexpr double kNear = 0.05;
 constexpr double kLeastDepth = 1e-6;
@@ -95,6 +95,14 @@ double distance_of(const CompositionRequest& request, const SceneDepths& seen) {
   return balanced_distance(seen, is_perspective).value_or(request.usual_distance);
 }
 
+/// Of the light of the first and the last view, through the middle of the sheet.
+double outermost_slope(const LensParameters& lens) {
+  const double offset = 0.5 * lens.print_pitch() * (1.0 - 1.0 / lens.pixels);
+  double slope = 0.0;
+  if (!slope_of(lens, offset, slope)) slope = lens.ior * offset / lens.focal_length;
+  return slope / lens.slant_cosine();
+}
+
 /// Where the sheet is to stand, and the part of the depth that it may show.
 Composition fitted(const CompositionRequest& request, const SceneDepths& seen,
                    const SheetAt& make) {
@@ -106,6 +114,9 @@ Composition fitted(const CompositionRequest& request, const SceneDepths& seen,
   const double pixels =
       request.budget ? budget_pixels(*request.budget, lens) * (1.0 - kSpare) : core::Bounds::kInf;
   out.factor = largest_factor(seen, *sheet, out.distance, pixels);
+  const double reach = out.distance * outermost_slope(lens);  // of the eyes, were depth true
+  out.is_held = out.factor * reach > request.free_way;
+  if (out.is_held) out.factor = request.free_way / reach;
   return out;
 }
 
@@ -134,12 +145,16 @@ double largest_factor(const SceneDepths& seen, const Lenticular& sheet, double d
                       double pixels) {
   const LensParameters& lens = sheet.sheet().lens();
   const double bend = most_bend(sheet.sheet()), eye = sheet.eye_distance() / sheet.scale();
-  const bool is_finite = std::isfinite(eye);
-  const double most = is_finite && eye > lens.view_distance ? lens.view_distance / eye : 1.0;
+  const bool is_near = sheet.has_near_eye(), is_far = is_near && sees_far(seen);
+  // A viewer's two eyes look in parallel directions at what is m D (1 - D/z) = V away.
+  const double farthest = is_far ? core::Bounds::kInf : seen.points.farthest;
+  const double part = seen.points.is_empty() && !is_far ? 0.0 : 1.0 - distance / farthest;
+  const double reach = is_near ? eye * std::max(part, 0.0) : 0.0;
+  const double most = reach > lens.view_distance ? lens.view_distance / reach : 1.0;
   const auto is_within = [&](double factor) {
     const ParallaxRule rule = parallax_rule(lens, eye, factor, bend);
     const auto moves = [&](double depth) { return std::fabs(rule.at(depth / sheet.scale())); };
-    if (is_finite && sees_far(seen) && moves(core::Bounds::kInf) > pixels) return false;
+    if (is_far && moves(core::Bounds::kInf) > pixels) return false;
     if (seen.points.is_empty()) return true;
     return moves(seen.points.nearest - distance) <= pixels &&
            moves(seen.points.farthest - distance) <= pixels;
@@ -161,14 +176,13 @@ Composition compose(const CompositionRequest& request, const SheetAt& make,
   for (int i = 0; i < kMostSurveys; ++i) {
     std::unique_ptr<Lenticular> sheet = make(out.distance, out.factor);
     out.seen = survey_depth(*sheet, probe, request.rays);
-    SceneDepths now = depths_of(out.seen, out.distance, request.depths ? "" : request.sheet_at);
-    if (i > 0) now.add(out.depths);
-    out.depths = now;
+    out.depths = depths_of(out.seen, out.distance, request.depths ? "" : request.sheet_at);
     if (request.depths) break;
-    const Composition next = fitted(request, now, make);
+    const Composition next = fitted(request, out.depths, make);
     const double moved = out.distance - next.distance;
     out.distance = next.distance;
     out.factor = next.factor;
+    out.is_held = next.is_held;
     if (std::fabs(moved) > kNear * next.distance) continue;
     shift(*make(out.distance, out.factor), moved, out.seen);
     break;

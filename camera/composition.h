@@ -44,8 +44,8 @@ struct SceneDepths {
 std::optional<double> balanced_distance(const SceneDepths& seen, bool is_perspective);
 
 /// The largest m, at most 1, with which points move by at most that many pixels a view of a sheet that stands at D and
-/// shows depth as it is. Eyes beside the viewer's own are never wanted: they would have to turn outwards to
-/// see what is far away.
+/// shows depth as it is. A viewer's eyes would have to turn outwards to see what is farther away than the viewer's own distance
+/// makes it: that is never wanted.
 double largest_factor(const SceneDepths& seen, const Lenticular& sheet, double distance,
                       double pixels);
 
@@ -57,7 +57,10 @@ struct CompositionRequest {
   std::string sheet_at{};                ///< NAME, or FILE:LINE:COLUMN; empty: none
   std::optional<DepthBudget> budget{};   ///< empty: depth is true
   double most_parallax = kMostParallax;  ///< pixels a view, beyond which things are said to jump
-  SceneDepths expected{};                ///< what a few rays met
+  /// How far the eye may go to either side before it runs into an object, which that is; infinite: nothing.
+  double free_way = core::Bounds::kInf;
+  std::string in_the_way{};
+  SceneDepths expected{};  ///< what a few rays met
   /// Of all of an animation; empty: what the survey finds.
   std::optional<SceneDepths> depths{};
   std::uint64_t rays = kSurveyRays;  ///< of a survey
@@ -66,6 +69,7 @@ struct CompositionRequest {
 struct Composition {
   double distance = 1.0;  ///< D, where the sheet stands; the eye's too, unless rays are parallel
   double factor = 1.0;    ///< m
+  bool is_held = false;   ///< by free_way
   SceneDepths depths{};   ///< of this picture
   DepthSurvey seen{};     ///< by the sheet
 };

@@ -89,12 +89,14 @@ std::string range_text(const Moves& moves, const DistanceRange& steps) {
   return brief(before) + " mm before and " + back + " behind the sheet";
 }
 
-std::string depth_line(const Moves& moves, const Composition& composed) {
+std::string depth_line(const CompositionRequest& asked, const Moves& moves,
+                       const Composition& composed) {
   if (moves.all().is_empty()) return "Depth: nothing is visible";
   return "Depth: " + range_text(moves, moves.all()) + ", nine tenths of the picture " +
          range_text(moves, moves.most()) + "; " +
          (composed.factor < 1.0 ? percent(composed.factor) + " of the true depth"
-                                : std::string("true depth"));
+                                : std::string("true depth")) +
+         (composed.is_held ? ", with more an eye would be in " + asked.in_the_way : "");
 }
 
 /// What jumps; empty: nothing.
@@ -164,7 +166,7 @@ CompositionText composition_text(const Lenticular& sheet, const CompositionReque
   const Moves moves(sheet, seen);
   const std::string jumping = jumping_text(asked, seen, moves);
   CompositionText out;
-  out.lines = {plane_line(asked, composed), depth_line(moves, composed),
+  out.lines = {plane_line(asked, composed), depth_line(asked, moves, composed),
                jump_line(sheet, jumping, seen, moves)};
   if (!jumping.empty()) out.warnings.push_back(jump_warning(asked, jumping, moves));
   const DistanceRange most = moves.most();

@@ -300,6 +300,7 @@ class ConvertedCamera {
   const Projection& projection() const { return m_projection; }
   bool is_perspective() const { return m_is_perspective; }
   const Vec3& normal() const { return m_place.normal; }
+  const Vec3& right() const { return m_place.right; }
   /// Of the sheet's normal, in a unit of the camera's direction.
   double along() const { return m_along; }
   /// The sheet at that many scene units along the direction.
@@ -363,7 +364,8 @@ class SheetComposer {
  public:
   SheetComposer(const ConvertedCamera& camera, const Conversion& conversion, std::uint32_t width,
                 std::uint32_t height, const SceneProbe& probe)
-      : m_camera(camera), m_conversion(conversion), m_width(width), m_height(height),
+      : m_camera(camera), m_conversion(conversion), m_probe(probe), m_width(width),
+        m_height(height),
         m_coarse(coarse_depths(
             camera.is_perspective() ? ProjectedKind::kPerspective : ProjectedKind::kOrthographic,
             camera.projection(), camera.normal(), probe)),
@@ -397,11 +399,24 @@ class SheetComposer {
       out.expected.points = {m_coarse.depths.front() * unit, m_coarse.depths.back() * unit};
     }
     out.depths = m_conversion.depths;
+    if (out.mode == DepthMode::kPrint && out.is_perspective) find_free_way(out);
     out.rays = m_conversion.survey_rays;
     return out;
   }
 
  private:
+  /// The eyes of a print's views do not run into objects beside the camera.
+  void find_free_way(CompositionRequest& out) const {
+    constexpr double kPart = 0.9;
+    if (!m_probe) return;
+    for (const double side : {-1.0, 1.0}) {
+      const auto hit =
+          m_probe({m_camera.projection().location, m_camera.right() * side}, core::Bounds::kInf);
+      if (!hit || kPart * hit->distance >= out.free_way) continue;
+      out.free_way = kPart * hit->distance;
+      out.in_the_way = hit->name();
+    }
+  }
   /// Where the camera looks; a unit of its direction where that is nowhere.
   double usual() const {
     if (!m_camera.is_perspective()) return 0.0;
@@ -425,6 +440,7 @@ class SheetComposer {
 
   const ConvertedCamera& m_camera;
   const Conversion& m_conversion;
+  const SceneProbe& m_probe;
   std::uint32_t m_width, m_height;
   CoarseDepths m_coarse;
   LensParameters m_lens;

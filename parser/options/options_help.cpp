@@ -403,8 +403,7 @@ Lens sheet (lengths in mm, or with cm, in and others behind them):
   Sheet_Width= Sheet_Height= | Sheet_Size=  Print_DPI= | Lens_Pixels= for +W +H
   Lens_Sheet=name|list    or Lens_Pitch= | Lens_LPI= Lens_Thickness= Lens_IOR=
   View_Distance=n|inf  Lens_Model=auto  Views alone: View=j  Views=M  Quilt=CxR
-  Sheet_At=object         what lies in the sheet's plane; --depth lists what there is
-  Depth=print|scene|viewer  Depth_Budget=n   how deep a print is: as far as nothing jumps
+  Depth=print|scene|viewer  Depth_Budget=n  Sheet_At=object, as --depth lists it
 )";
 }
 
