@@ -7,6 +7,7 @@
 #include <cstdio>
 #include <filesystem>
 #include <regex>
+#include <sstream>
 
 #include "core/image/orientation.h"
 #include "tests/support/render.h"
@@ -242,6 +243,25 @@ TEST_F(ImageAcrossSheets, PagesShowItUpright) {
   run("lentray-print",
       {"pitch-test", "--lpi", "40", "--dpi", "240", "--horizontal", "--out", "b.png"});
   EXPECT_TRUE(same_bits(read("a.png"), read("b.png")));
+}
+
+/// Fitted to another pitch it is told how to render it anew: as the same sheet.
+TEST_F(ImageAcrossSheets, TheExactCommandMakesSuchASheet) {
+  render("sheet.png", {"Lens_LPI=40", "Print_DPI=240", "+W90", "+H60", "View_Distance=inf"});
+  const std::string said =
+      run("lentray-print", {"sheet", "sheet.png", "--pitch", "39.8lpi", "--out", "page.png"});
+  std::smatch told;
+  ASSERT_TRUE(std::regex_search(said, told, std::regex("exact: lentray SCENE.pov (.*)\n"))) << said;
+  std::vector<std::string> words{"+Ia.pov", "-V", "+Oexact.png"};
+  std::istringstream options(told[1]);
+  for (std::string word; options >> word;) words.push_back(word);
+  const auto result = run_lentray(words, m_folder.path());
+  ASSERT_EQ(result.status, 0) << result.output;
+  const StoredImage exact = upright("exact.png");
+  EXPECT_EQ(exact.width, 90u);
+  EXPECT_EQ(exact.height, 60u);
+  EXPECT_TRUE(tool::lies_across(tool::facts_of(exact)));
+  EXPECT_NEAR(number(exact, "print_pitch_mm"), 25.4 / 39.8, 1e-9);
 }
 
 /// By the formulae of lentray-diff, which know nothing of how the sheet lies; bands are joined with all that a file says.

@@ -121,15 +121,17 @@ Repitched repitched(const StoredImage& image, double from, const core::LensColum
 }
 
 std::string render_options(const LensData& data, double print_pitch, double lenses,
-                           std::uint32_t height) {
+                           std::uint32_t height, bool is_across) {
   if (!data.lens) return {};
   const LensOfPicture& lens = *data.lens;
   const double pixels = print_pitch * data.dpi_x / kInch;
   const double pitch = print_pitch / (1.0 + lens.widening());
+  const long long across = std::llround(lenses * pixels), along = height;
   std::string out = core::formed(
-      "+W%lld +H%u Lenticular=On Lens_Pitch=%.15g Lens_Pixels=%.15g "
+      "+W%lld +H%lld Lenticular=On %sLens_Pitch=%.15g Lens_Pixels=%.15g "
       "Lens_Focal_Length=%.15g Lens_IOR=%.15g Lens_Model=%s View_Distance=",
-      std::llround(lenses * pixels), height, pitch, pixels, lens.focal_length, lens.ior,
+      is_across ? along : across, is_across ? across : along,
+      is_across ? "Lens_Direction=across " : "", pitch, pixels, lens.focal_length, lens.ior,
       lens.model.c_str());
   out += lens.view_distance > 0.0 ? core::formed("%.15g", lens.view_distance) : "inf";
   return lens.has_scenes_eye ? out + " Depth=print" : out;

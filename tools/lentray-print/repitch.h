@@ -28,7 +28,8 @@ Repitched repitched(const core::StoredImage& image, double from, const core::Len
 
 /// The options of lentray that render a picture of `width` x `height` pixels whose strips have that pitch, for the lens
 /// that the data name; empty if they name none. `lenses`: of the picture, the cut one by its share.
+/// `is_across`: they lie across, and the height is that of the sheet on its side.
 std::string render_options(const LensData& data, double print_pitch, double lenses,
-                           std::uint32_t height);
+                           std::uint32_t height, bool is_across);
 
 }  // namespace lentray::print

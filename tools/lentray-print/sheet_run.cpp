@@ -279,8 +279,8 @@ class SheetRun {
         " dB PSNR, as colours jump from view to view or change smoothly; the sheet is " +
         short_number(std::fabs(ratio - 1.0) * 100.0) + " % " +
         (ratio < 1.0 ? "narrower" : "wider"));
-    const std::string options =
-        render_options(source.data, *m_a.print_pitch, source.lenses, source.image.height);
+    const std::string options = render_options(source.data, *m_a.print_pitch, source.lenses,
+                                               source.image.height, m_style.is_across);
     say(about(source) + (options.empty()
                              ? "exact: a new render with Lens_Pixels=" + format(m_data.pixels) +
                                    "; the picture does not say its lens"
