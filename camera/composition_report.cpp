@@ -170,7 +170,7 @@ CompositionText composition_text(const Lenticular& sheet, const CompositionReque
                jump_line(sheet, jumping, seen, moves)};
   if (!jumping.empty()) out.warnings.push_back(jump_warning(asked, jumping, moves));
   const DistanceRange most = moves.most();
-  if (composed.factor < 1.0 && !most.is_empty() &&
+  if (!asked.depths && composed.factor < 1.0 && !most.is_empty() &&
       most.farthest - most.nearest < kFlat * 2.0 * asked.most_parallax) {
     out.warnings.push_back(flat_warning(composed, moves));
   }

@@ -81,8 +81,6 @@ figures() {
        lentray-views out/$S.png --eye=$E --size 240x180 --out out/$S$E.png; done; done;
      oiiotool out/print-15.png out/print0.png out/print15.png out/viewer-15.png out/viewer0.png out/viewer15.png
        --mosaic:pad=4 3x2 -o docs/depth/three.png' docs/depth/three.png
-  $1 prints docs/depth/prints.md '(2 h)' \
-    'python3 tests/bench/composition.py --dpi 299.35 --table docs/depth/prints.md'
   $1 depth-table docs/depth.md '(5 min)' \
     'build/release/bin/test_image --gtest_filter="*SlowDepth*" | grep "^|"' SlowDepth
   $1 accuracy-sheet docs/accuracy.md '(15 min)' \

@@ -399,11 +399,10 @@ are POV-Ray's, on the command line or in INI files (file.ini, file.ini[part]).
   --help=all --version    all options; the manual page has them too
 
 Lens sheet (lengths in mm, or with cm, in and others behind them):
-  Lenticular=On           make a sheet of the scene's camera
+  Lenticular=On           make a sheet of the camera; View=j Views=M Quilt=CxR
   Sheet_Width= Sheet_Height= | Sheet_Size=  Print_DPI= | Lens_Pixels= for +W +H
   Lens_Sheet=name|list    or Lens_Pitch= | Lens_LPI= Lens_Thickness= Lens_IOR=
-  View_Distance=n|inf  Lens_Model=auto  Views alone: View=j  Views=M  Quilt=CxR
-  Depth=print|scene|viewer  Depth_Budget=n  Sheet_At=object, as --depth lists it
+  View_Distance=n|inf  Depth=print|scene|viewer  Sheet_At=object (see --depth)
 )";
 }
 

@@ -36,17 +36,6 @@ PRINT = ["Lenticular=On", "Lens_Sheet=40lpi", "Sheet_Width=100mm", "Sheet_Height
 WIDTH, HEIGHT = 160, 120
 QUIET = ["-D", "-V", "-P", "+GA", "-GR", "-GS"]
 BUDGET = 1.5
-PAGE = """# Prints of the example scenes
-
-For users who print. Does a print show what its scene's camera shows, and does anything in it jump?
-
-    python3 tests/bench/composition.py --dpi {dpi} --table docs/depth/prints.md
-
-The first command of README, {dpi} pixels an inch, without antialiasing, for the {scenes} examples of `povray-examples` that have
-a camera for a lens sheet. {own} of them are *exact* or *match* in their own camera, of these {view} in the print's middle view,
-beside stock's ordinary picture. Something moves more than 1.5 pixels a view in {jump} of them, {cut} are cut, and {little} use
-less than 0.8 of the depth that is possible though depth is compressed. What the columns are: [depth.md](../depth.md#prints-of-the-examples).
-"""
 COLUMNS = ["scene", "own", "view", "most", "background", "used", "used90", "factor", "survey_s", "said", "reason"]
 
 
@@ -180,10 +169,7 @@ def report(rows, args):
         for r in some:
             print(f"{name}: {r['scene']}: most {r['most']}, used {r['used']}, own {r['own']}, view {r['view']}")
     if args.table:
-        lines = [PAGE.format(dpi=args.dpi, scenes=len(seen), own=sum(r["own"] in good for r in seen),
-                             view=sum(r["own"] in good and r["view"] in good for r in seen), jump=len(jump), cut=len(cut),
-                             little=len(little)),
-                 "| scene | own picture | middle view | moves at most | background | depth used | middle 90 % | of the true depth |",
+        lines = ["| scene | own picture | middle view | moves at most | background | depth used | middle 90 % | of the true depth |",
                  "|---|---|---|---|---|---|---|---|"]
         lines += [f"| {r['scene']} | {r['own']} | {r['view']} | {r['most']} | {r['background']} | {r['used']} | "
                   f"{r['used90']} | {100 * float(r['factor']):.3g} % |" for r in seen]

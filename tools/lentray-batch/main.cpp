@@ -4,6 +4,7 @@
 #include <cstdio>
 #include <exception>
 #include <set>
+#include <nlohmann/json.hpp>
 #include <thread>
 
 #include "core/base/ignored_error.h"
@@ -337,6 +338,13 @@ class Batch {
   const std::chrono::steady_clock::time_point m_start = std::chrono::steady_clock::now();
 };
 
+/// Its first line is a row, perhaps of another version.
+bool looks_like_rows(const fs::path& file) {
+  const std::string text = tool::file_bytes(file);
+  const nlohmann::json row = nlohmann::json::parse(text.substr(0, text.find('\n')), nullptr, false);
+  return row.is_object() && row.contains("name") && row.contains("state");
+}
+
 /// The page and the manifest of something else stay.
 void refuse_foreign(const fs::path& out) {
   constexpr std::string_view kMark = "name=\"generator\" content=\"lentray-batch\"";
@@ -355,7 +363,7 @@ void refuse_foreign(const fs::path& out) {
         is_foreign("manifest.jsonl",
                    [&](const fs::path& file) {
                      return fs::exists(out / ".lentray-batch", core::ignored_error()) ||
-                            !rows_in(file).empty();
+                            looks_like_rows(file);
                    })
             ? "manifest.jsonl"
             : ""}) {
@@ -368,8 +376,8 @@ void refuse_foreign(const fs::path& out) {
 
 int batch(const Arguments& arguments) {
   tool::hold_signals();
-  if (arguments.worker.empty()) refuse_foreign(arguments.out);
   if (arguments.restricts && arguments.worker.empty()) tool::refuse_links(arguments.out);
+  if (arguments.worker.empty()) refuse_foreign(arguments.out);
   return arguments.worker.empty() ? Batch(arguments).run() : do_task(arguments);
 }
 
