@@ -95,9 +95,9 @@ double distance_of(const CompositionRequest& request, const SceneDepths& seen) {
   return balanced_distance(seen, is_perspective).value_or(request.usual_distance);
 }
 
-/// Of the light of the first and the last view, through the middle of the sheet.
+/// Of the light from the edges of the strip behind the middle lens: no pixel's goes farther aside.
 double outermost_slope(const LensParameters& lens) {
-  const double offset = 0.5 * lens.print_pitch() * (1.0 - 1.0 / lens.pixels);
+  const double offset = 0.5 * lens.print_pitch();
   double slope = 0.0;
   if (!slope_of(lens, offset, slope)) slope = lens.ior * offset / lens.focal_length;
   return slope / lens.slant_cosine();

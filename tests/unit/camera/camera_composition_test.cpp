@@ -86,11 +86,26 @@ TEST(UnitCameraComposition, NothingIsCompressedMoreThanItMustBe) {
 TEST(UnitCameraComposition, EyesOfViewsDoNotRunIntoObjects) {
   const auto probe =
       depth_scene({{{2.3, 2.0, -10.0}, 1.0, "post"}, {{1.0, 2.0, 3.0}, 1.0, "ball"}}, 10.0);
-  const Sheet sheet = depth_sheet(probe, composed_print());
-  EXPECT_NEAR(sheet.stand->distance, 2.0 * 12.0 * 20.0 / 32.0, 2e-3);
-  EXPECT_TRUE(composition_says(sheet.report, ", with more an eye would be in post"))
-      << core::joined(sheet.report, "\n");
-  EXPECT_FALSE(composition_says(sheet.warnings, "cut: ")) << core::joined(sheet.warnings, "\n");
+  for (const double pixels : {15.0, 2.3, 7.4}) {
+    Conversion asked = composed_print();
+    asked.lens.pixels = pixels;
+    const Sheet sheet = depth_sheet(probe, asked);
+    EXPECT_NEAR(sheet.stand->distance, 2.0 * 12.0 * 20.0 / 32.0, 2e-3);
+    const Lenticular& s = *sheet.camera;
+    double farthest = 0.0;  // beside the camera, that an eye is
+    for (std::uint32_t k = 0; k < s.width(); ++k) {
+      const LensColumn& c = s.sheet().column(k);
+      farthest =
+          std::max(farthest, std::fabs(c.axis * s.scale() - s.eye_distance() * s.scene_slope(c)));
+    }
+    EXPECT_LT(farthest, 0.3) << pixels;
+    EXPECT_FALSE(composition_says(sheet.warnings, "cut: ")) << core::joined(sheet.warnings, "\n");
+    EXPECT_EQ(composition_says(sheet.report, ", with more an eye would be in post"),
+              sheet.composed->is_held);
+    if (pixels == 15.0) {
+      EXPECT_TRUE(sheet.composed->is_held);
+    }
+  }
   EXPECT_TRUE(
       composition_says(depth_sheet(probe, composed_print(DepthMode::kScene)).warnings, "cut: "));
 }
