@@ -230,7 +230,10 @@ def check_jobs(tutorial, page):
     again.wait()
     tutorial.run(batch)
     expect(len(list((tutorial.folder / "sheets").glob("*.png"))) == 10, "pictures after a kill")
-    expect("portrait" in tutorial.smaller(next(c for c in told if "Quilt=" in c)), "the quilt")
+    quilt = said_by(told, "Quilt=portrait", "Depth=print")
+    expect("In the sheet's plane" in quilt and "Jumps: none" in quilt, quilt)
+    width, height = tutorial.size("mill.gif")
+    expect(abs(width / height - 0.75) < 0.02, f"the quilt's preview: {width} x {height}")
 
 
 def check_display(tutorial, page):

@@ -203,11 +203,11 @@ plane { z, 5 pigment { rgb 1 } }
 // Near in frame 2 of 9 alone.
 sphere { (frame_number = 2 ? -7 : clock)*z, 0.5 pigment { rgb <1,0,0> } }
 )");
-  const std::vector<std::string> words =
-      with(kPrint, {"+Ib.pov", "+KFF9", "+Ob.png", "Lens_Pixels=5", "Print_DPI=200", "-V"});
-  std::vector<std::string> sheet;
-  for (const std::string& word : words)
-    if (word != "Print_DPI=300" && word != "Print_DPI=200") sheet.push_back(word);
+  const std::vector<std::string> sheet{"+Ib.pov",          "+KFF9",
+                                       "+Ob.png",          "-V",
+                                       "Lenticular=On",    "Lens_Sheet=40lpi",
+                                       "Sheet_Width=40mm", "Sheet_Height=30mm",
+                                       "Lens_Pixels=5"};
   const auto done = run_lentray(with(sheet, {"Statistics_File=b.json"}), m_folder.path());
   ASSERT_EQ(done.status, 0) << done.output;
   const auto lens = [&](int frame) {
