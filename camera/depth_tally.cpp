@@ -14,7 +14,7 @@ void DepthTally::add(const SheetLook& look) {
   ++m_out.rays;
   if (!look.hit) return;
   extend(look.point, m_bends[static_cast<std::size_t>(look.column)],
-         m_gathered[index_of(*look.hit)].object);
+         m_gathered[index_of(*look.hit)]);
 }
 
 void DepthTally::count(const SheetLook& look) {
@@ -29,8 +29,8 @@ void DepthTally::count(const SheetLook& look) {
   }
 }
 
-void DepthTally::extend(const PlanPoint& point, double bend, SeenObject& object) {
-  constexpr std::size_t kMostPoints = 512;
+void DepthTally::extend(const PlanPoint& point, double bend, Gathered& gathered) {
+  SeenObject& object = gathered.object;
   object.nearest = std::min(object.nearest, point.depth);
   object.farthest = std::max(object.farthest, point.depth);
   const double step = parallax_rule(m_sheet, bend).at(point.depth / m_sheet.scale());
@@ -39,7 +39,10 @@ void DepthTally::extend(const PlanPoint& point, double bend, SeenObject& object)
   m_out.nearest = std::min(m_out.nearest, point.depth);
   m_out.farthest = std::max(m_out.farthest, point.depth);
   object.outline.push_back(point);
-  if (object.outline.size() >= kMostPoints) object.outline = convex_outline(object.outline);
+  if (object.outline.size() < gathered.crowd) return;
+  object.outline = convex_outline(std::move(object.outline));
+  // A round thing's points may all be corners: the next time is when there are twice as many.
+  gathered.crowd = std::max(gathered.crowd, 2 * object.outline.size());
 }
 
 std::size_t DepthTally::index_of(const ProbeHit& hit) {

@@ -39,9 +39,10 @@ class DepthTally {
   struct Gathered {
     SeenObject object;
     std::uint64_t pixels = 0;
+    std::size_t crowd = 512;  ///< points of the outline from which on those inside are dropped
   };
   std::size_t index_of(const ProbeHit& hit);
-  void extend(const PlanPoint& point, double bend, SeenObject& object);
+  void extend(const PlanPoint& point, double bend, Gathered& gathered);
 
   const Lenticular& m_sheet;
   const std::vector<double> m_bends;  ///< by column

@@ -141,15 +141,13 @@ std::uint64_t ByteFile::room_to_be_had() const {
 
 /// What is held goes to the disk, which may have room by now without any that is given up.
 void ByteFile::settle() {
-  bool is_given = false;
   for (const Piece& piece : m_pieces) {
     std::size_t done = 0;
     for (;;) {
       done += put_on_disk(piece.place + done, piece.bytes.data() + done, piece.bytes.size() - done);
       if (done == piece.bytes.size()) break;
-      if (is_given || !is_lack_of_room(errno)) fail();
-      m_spare->give();
-      is_given = true;
+      const int why = errno;
+      if (!is_lack_of_room(why) || !m_spare->give()) fail(why);
     }
   }
   m_pieces.clear();

@@ -148,6 +148,22 @@ def full_journal(check, run):
         (disk.place / "a.png.lentray-state").unlink(missing_ok=True)
 
 
+def passes_of_radiosity(check, run):
+    """What they keep is larger than the disk, or fills it: the picture is written all the same, and nothing stays."""
+    text = SCENE.replace("assumed_gamma 1", "assumed_gamma 1 radiosity { count 400 error_bound 0.05 recursion_limit 2 }")
+    text = text.replace("LAMPS", "4").replace("SHIFT", "0")
+    SCENES_WRITTEN.add(text)
+    (run.folder / "light.pov").write_text(text)
+    plain = run.folder / "light.png"
+    check(run("light.pov", plain, "+FN16").returncode == 0, "with radiosity")
+    for more in (2, 16, 64):
+        with Disk(run.folder / "disk", blocks(plain) + more * BLOCK) as disk:
+            tight = disk.place / "a.png"
+            done = run("light.pov", tight, "+FN16")
+            check(done.returncode == 0 and tight.read_bytes() == plain.read_bytes(), f"passes, {more} blocks: {done.stderr}")
+            check(list(disk.place.iterdir()) == [tight], f"passes, {more} blocks: left behind: {list(disk.place.iterdir())}")
+
+
 def limited_files(check, run):
     """A limit of a file's size that the journal meets and the picture does not."""
     plain = run.plain(check)
@@ -323,6 +339,7 @@ def main():
             kinds_of_files(check, run, TYPES if arguments.all else FEW_TYPES)
             too_small(check, run)
             full_journal(check, run)
+            passes_of_radiosity(check, run)
             batches(check, run, (1, 2, 5) if arguments.all else (2,))
             page_without_room(check, run)
         if mounts:

@@ -8,14 +8,10 @@
 namespace lentray::test {
 namespace {
 
-// Where things are in the files: tools/session/summed_bytes.h, picture_journal.cpp, pass_file.cpp.
+// Where things are in the files: tools/session/summed_bytes.h, work_file.cpp.
 constexpr std::size_t kKind = 16;         ///< bytes of a file's kind
 constexpr std::size_t kMark = kKind + 8;  ///< and its version
-constexpr std::size_t kRecordHead = 8;    ///< of passes
-constexpr std::size_t kPixels = 8;        ///< a journal's record: where the count of its pixels is,
-constexpr std::size_t kPixelsSum = 16;    ///< their checksum,
-constexpr std::size_t kPixelsBegin = 24;  ///< and they themselves
-constexpr std::size_t kPixel = 8 + 4 * 4;  ///< column, row, four floats
+constexpr std::size_t kRecordHead = 8;
 
 template <typename T>
 T value_at(const std::string& bytes, std::size_t at) {
@@ -35,21 +31,11 @@ bool seal_piece(std::string& bytes, std::size_t& at) {
   return true;
 }
 
-void seal_pixels(std::string& bytes, std::size_t at) {
-  while (at <= bytes.size() && bytes.size() - at >= kPixelsBegin) {
-    const std::size_t size = value_at<std::uint32_t>(bytes, at + kPixels) * kPixel;
-    if (size > bytes.size() - at - kPixelsBegin) return;
-    const std::uint64_t sum =
-        parser::checksum(std::string_view(bytes).substr(at + kPixelsBegin, size));
-    std::memcpy(bytes.data() + at + kPixelsSum, &sum, sizeof sum);
-    at += kPixelsBegin + size;
-  }
-}
-
 }  // namespace
 
 OwnFile own_file(const std::string& bytes) {
-  if (bytes.starts_with("lentray journal")) return OwnFile::journal;
+  if (bytes.starts_with("lentray journal") || bytes.starts_with("lentray done"))
+    return OwnFile::journal;
   if (bytes.starts_with("lentray passes")) return OwnFile::passes;
   return bytes.starts_with("lentray light") ? OwnFile::light : OwnFile::samples;
 }
@@ -59,7 +45,7 @@ std::string sealed(std::string bytes) {
   std::size_t at = kMark;
   if (kind == OwnFile::samples || !seal_piece(bytes, at)) return bytes;
   switch (kind) {
-    case OwnFile::journal: seal_pixels(bytes, at); break;
+    case OwnFile::journal:
     case OwnFile::passes:
       while (seal_piece(bytes, at += kRecordHead)) continue;
       break;

@@ -207,7 +207,8 @@ def manifests():
     return [line.encode() + b"\n" for line in lines] + ["\n".join(lines).encode(), lines[0][:90].encode() + b"\n" + lines[3].encode()]
 
 
-IDENTITY = b"program 0.1.0 0\noption Width=12\noption clock 0 of 0 to 0, delta 0, on 0\nfile 0000000000000001 \n"
+IDENTITY = json.dumps({"program": "0.1.0 0", "options": "Width=12\nclock 0 of 0 to 0, delta 0, on 0\n", "files": {"": [1]},
+                       "missing": ["a.inc"], "now": 9.5}).encode()
 PASSING = """#version 3.7; global_settings { assumed_gamma 1 photons { spacing 0.3 media 0 }
 radiosity { count 8 error_bound 1 recursion_limit 2 } }
 camera { location <0, 1, -4> look_at 0 } light_source { <3, 5, -4>, 1 }
@@ -221,20 +222,21 @@ def piece(data):
     return struct.pack("<QQ", len(data), 0) + data
 
 
-def journal(finished, *records):
+def work(kind, *records):
+    """A file of work that is kept: tools/session/work_file.cpp. Records: a number and bytes."""
+    out = kind.ljust(16, b"\0") + struct.pack("<Q", 3) + piece(IDENTITY)
+    return out + b"".join(struct.pack("<II", 0x4c52574b, number) + piece(data) for number, data in records)
+
+
+def journal(*records):
     """Records: a stage and pixels."""
-    out = b"lentray journal\0" + struct.pack("<II", 1, finished) + piece(IDENTITY)
-    for stage, pixels in records:
-        out += struct.pack("<IIIIQ", 0x4c525031, stage, len(pixels), 0, 0)
-        out += b"".join(struct.pack("<II", *pixel) for pixel in pixels)
-        out += b"".join(struct.pack("<4f", 0.25, 0.5, 1, 0) for _ in pixels)
-    return out
+    return work(b"lentray journal", *((stage, b"".join(struct.pack("<II", *pixel) for pixel in pixels) +
+                                       struct.pack("<4f", 0.25, 0.5, 1, 0) * len(pixels)) for stage, pixels in records))
 
 
 def passes(*records):
     """Records: the pass's number and its bytes."""
-    out = b"lentray passes\0\0" + struct.pack("<Q", 1) + piece(IDENTITY)
-    return out + b"".join(struct.pack("<II", 0x4c525041, number) + piece(data) for number, data in records)
+    return work(b"lentray passes", *records)
 
 
 def kept_radiosity():
@@ -261,7 +263,7 @@ def journals():
     sample = struct.pack("<9d6f", *[0.1] * 9, *[0.5] * 6)
     counts = struct.pack("<QQQQdQ", 2, 1, 1, 8, 1, 0)
     gather = struct.pack("<3fdBQf", 1, 1, 1, 0.5, 1, 3, 1) + (counts + struct.pack("<Q", 1) + sample) * 2
-    return [journal(0), journal(1), journal(0, (0, row)), journal(0, (0, row), (1, row)), journal(0, (0, all_pixels), (1, all_pixels)),
+    return [journal(), work(b"lentray done"), journal((0, row)), journal((0, row), (1, row)), journal((0, all_pixels), (1, all_pixels)),
             passes(), passes((0, b"")), passes((0, b"".join(told))), passes((0, told[0]), (0, told[2]), (1, gather)),
             passes((1, gather), (1, gather)), *kept_radiosity()]
 

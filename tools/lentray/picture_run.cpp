@@ -6,10 +6,12 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <stdexcept>
+#include <vector>
 
 #include "core/base/deep_threads.h"
 #include "core/base/joined.h"
 #include "core/image/run_files.h"
+#include "core/image/spare_room.h"
 #include "parser/dump/scene_json.h"
 #include "parser/files/watched_files.h"
 #include "parser/options/create_ini.h"
@@ -283,18 +285,22 @@ bool render(Run& run, SceneInUse& scene, const std::atomic<bool>& cancel, bool i
     if (o.continues) journal->go_on();
   }
   PictureJournal* const kept = journal ? &*journal : nullptr;
+  std::vector<core::SpareRoom*> rooms;
   std::optional<PassFile> passes;
   if (journal && session.has_passes()) {
     passes.emplace(run.output, run.identity);
     if (o.continues) passes->go_on();
+    rooms.push_back(&*passes);
   }
+  if (journal) rooms.push_back(kept);
+  core::SpareRooms spare(std::move(rooms));
   const std::unique_ptr<RadiosityStore> store = radiosity_store(run, scene);
   run.form.begin_rendering(o, plan.report, plan.pixels);
   std::unique_ptr<core::Progress> bar;
   if (o.verbose) bar = run.form.progress();
   std::optional<PictureFile> picture(std::in_place, run.output,
                                      image_format(o, run.type, session.scene().settings()),
-                                     run.camera, kept);
+                                     run.camera, &spare);
   bool is_cut_off = false;
   try {
     run.report = session.render(
@@ -312,11 +318,14 @@ bool render(Run& run, SceneInUse& scene, const std::atomic<bool>& cancel, bool i
   if (passes && !passes->trouble().empty()) run.warnings.tell(passes->trouble());
   if (is_cut_off) {
     if (journal) tell_of_journal(run, *journal);
-    if (passes && passes->write()) tell_of_file(run, passes->part());
+    if (passes && passes->write()) tell_of_file(run, passes->path());
     return false;
   }
   if (journal) journal->finish(is_frame);
-  if (passes) PassFile::forget(run.output);
+  if (passes) {
+    passes.reset();
+    PassFile::forget(run.output);
+  }
   if (journal && !journal->trouble().empty()) run.warnings.tell(journal->trouble());
   run.report.write_cpu_s = picture->cpu_seconds();
   if (store) {

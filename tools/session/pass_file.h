@@ -1,11 +1,8 @@
-// What the passes of a picture have committed (core/pass/pass_ledger.h), in a file beside the
+// What the passes of a picture have committed (core/pass/pass_ledger.h), in a WorkFile beside the
 // picture's journal: a.png.lentray-passes. While passes run it is called a.png.lentray-passes.part;
 // a file without that end is whole, and whoever continues it makes nothing anew.
 //
-// The file begins with what the passes depend on (tools/session/identity.h). Then come records with
-// a checksum each; what a killed run left half written is dropped. Passes that end within a second
-// leave no file. Errors: parser::OptionError from go_on(). A file that cannot be written is given
-// up.
+// Passes that end within a second leave no file. Errors: parser::OptionError from go_on().
 // Threads: one at a time.
 #pragma once
 
@@ -17,26 +14,24 @@
 #include <string_view>
 #include <vector>
 
+#include "core/image/spare_room.h"
 #include "core/pass/pass_ledger.h"
 #include "tools/session/identity.h"
+#include "tools/session/work_file.h"
 
 namespace lentray::tool {
 
-class PassFile final : public core::PassLedger {
+class PassFile final : public core::PassLedger, public core::SpareRoom {
  public:
   /// Nothing is written before `silence` has passed.
   PassFile(const std::string& picture, const Identity& identity,
            std::chrono::milliseconds silence = std::chrono::seconds(1));
-  /// Writes what is kept.
-  ~PassFile() override;
-  PassFile(const PassFile&) = delete;
-  PassFile& operator=(const PassFile&) = delete;
 
   /// What the passes depend on that an earlier run began. Empty: there are none.
   static std::optional<Identity> earlier(const std::string& picture);
-  /// Nothing is kept of that picture's passes any more.
+  /// Nothing is kept of that picture's passes any more, unless a run is at them.
   static void forget(const std::string& picture);
-  /// Continues what there is. Throws if that is of something else, or if another run is at it.
+  /// Continues what there is. Throws as WorkFile::go_on().
   void go_on();
 
   void begin(std::size_t pass) override;
@@ -45,30 +40,24 @@ class PassFile final : public core::PassLedger {
   void finish() override;
   /// The run is cut off in order: writes what is not written yet. False: there is nothing to go on
   /// with.
-  bool write();
-  /// The file's name while passes run.
-  const std::string& part() const { return m_part; }
-  /// Why it could not be written; empty: it could, or there was nothing to write.
-  const std::string& trouble() const { return m_trouble; }
+  bool write() { return m_work.keep(); }
+  /// The file's name; while passes run that of the part.
+  const std::string& path() const { return m_work.path(); }
+  /// As WorkFile has it.
+  std::string trouble() const { return m_work.trouble(); }
+
+  /// That the records take, or those that an earlier run left.
+  std::uint64_t bytes() override;
+  /// Nothing is kept any more on the disk.
+  bool give() override;
 
  private:
-  using Clock = std::chrono::steady_clock;
-
-  /// False if there is no file, or none that says anything.
-  bool read(const std::string& path, bool is_part);
-  void flush();
-  void give_up(const std::string& why);
-
-  const std::string m_path, m_part;
-  const std::string m_identity;  ///< as text
-  const Clock::time_point m_speaks;
-  Clock::time_point m_flushed{};
-  int m_file = -1;
-  bool m_is_whole = false, m_is_off = false;
+  const std::string m_path;
+  WorkFile m_work;
+  bool m_is_whole = false;
   std::uint32_t m_pass = 0;
   std::vector<std::vector<std::string>> m_earlier;  ///< records by pass
   std::size_t m_recalled = 0;                       ///< of the pass
-  std::string m_pending, m_trouble;
 };
 
 }  // namespace lentray::tool

@@ -2,17 +2,13 @@
 // its film finds out (core/render/picture_ledger.h), so that a picture that was cut off is gone on
 // with (+C).
 //
-// The file begins with what the picture depends on (tools/session/identity.h). Then come records of
-// pixels with a checksum each; what a killed run left half written is dropped. Nothing is kept of
-// the first second: a quick picture never has the file. 24 bytes a pixel; twice as many with
-// antialiasing. A finished picture has no journal, but for the frames of an animation: theirs say
-// that they are finished until the whole animation is. The picture comes first: a journal that
-// finds no room grows no more, and one whose room the picture needs is given up. Errors:
-// parser::OptionError. A journal that cannot be written is given up with a warning. Threads: as the
-// ledger; the rest one thread.
+// It is a WorkFile (tools/session/work_file.h) with records of pixels. Nothing is kept of the first
+// second: a quick picture never has the file. 24 bytes a pixel; twice as many with antialiasing. A
+// finished picture has no journal, but for the frames of an animation: theirs say that they are
+// finished until the whole animation is. Errors: parser::OptionError. Threads: as the ledger; the
+// rest one thread.
 #pragma once
 
-#include <atomic>
 #include <chrono>
 #include <cstdint>
 #include <memory>
@@ -25,6 +21,7 @@
 #include "core/render/picture_ledger.h"
 #include "tools/common/companion.h"
 #include "tools/session/identity.h"
+#include "tools/session/work_file.h"
 
 namespace lentray::tool {
 
@@ -33,7 +30,6 @@ class PictureJournal final : public core::PictureLedger, public core::SpareRoom 
   /// Nothing is kept before `silence` has passed.
   PictureJournal(std::string picture, std::uint32_t width, std::uint32_t height, Identity identity,
                  std::chrono::milliseconds silence = std::chrono::seconds(1));
-  ~PictureJournal() override;
 
   /// What the journal says of its picture: an earlier run's identity. Empty: there is no journal.
   struct Earlier {
@@ -44,59 +40,45 @@ class PictureJournal final : public core::PictureLedger, public core::SpareRoom 
 
   /// Nothing is kept of that picture any more, unless a run is at it.
   static void forget(const std::string& picture);
-  /// Continues what there is. Throws if that is of something else, or if another run works on
-  /// it.
+  /// Continues what there is. Throws as WorkFile::go_on().
   void go_on();
   /// The picture is in its place: nothing is kept, or that it is finished.
   void finish(bool say_so);
   /// The run is cut off in order: writes what is not written yet. False: there is nothing to go on
   /// with.
   bool keep();
-  /// What is to be said of a journal that is not what it should be, as a sentence; empty: nothing.
-  std::string trouble() const;
+  /// As WorkFile has it.
+  std::string trouble() const { return m_work.trouble(); }
 
   const core::PixelSet* known(std::size_t stage) const override { return m_known[stage].get(); }
   void recall(std::size_t stage, std::uint32_t top, std::uint32_t bottom,
               const std::function<void(const core::Pixel&, const float*)>& tell) override;
-  bool listens() const override;
+  bool listens() const override { return m_work.listens(); }
   void add(std::size_t stage, const std::vector<core::Pixel>& pixels,
            const std::vector<float>& values) override;
 
   /// That the journal takes, or the one that an earlier run left.
   std::uint64_t bytes() override;
   /// Nothing is kept any more on the disk. What recall() may be asked for yet is held in memory.
-  void give() override;
+  bool give() override;
 
  private:
-  using Clock = std::chrono::steady_clock;
   /// Where the pixels of a record are in the file.
   struct Place {
-    std::uint64_t offset = 0;
+    std::uint64_t offset = 0;  ///< of its bytes
     std::uint32_t stage = 0, count = 0, first_row = 0, last_row = 0;
     std::string bytes{};  ///< instead of the file's, once that is given up
   };
 
-  void begin();
-  void read_records(std::uint64_t offset);
+  bool note_record(std::uint32_t stage, std::uint64_t place, const std::string& bytes);
   void read(const Place& place, std::string& bytes) const;
-  void write(const std::string& bytes);
-  void flush();
-  void give_up(const std::string& why);
 
-  const std::string m_path;
   const std::uint32_t m_width, m_height;
-  const Identity m_identity;
-  const Clock::time_point m_speaks;  ///< from then on
-  int m_file = -1;
-  std::uint64_t m_whole = 0;  ///< bytes of the file that are whole records
-  bool m_goes_on = false, m_is_given = false;
+  WorkFile m_work;
   std::uint32_t m_recalled[kStages]{};  ///< rows above are not asked for again
   std::unique_ptr<core::PixelSet> m_known[kStages];
   std::vector<Place> m_places;
   std::mutex m_mutex;
-  std::string m_pending, m_trouble;
-  Clock::time_point m_flushed{};
-  std::atomic<bool> m_is_off{false};
 };
 
 }  // namespace lentray::tool

@@ -182,6 +182,42 @@ TEST_F(UnitPassFile, OthersFilesStay) {
   EXPECT_TRUE(fs::exists(part()));
 }
 
+TEST_F(UnitPassFile, ThePictureMayHaveItsRoom) {
+  for (const bool is_done : {false, true}) {
+    PassFile file(picture(), identity, kAtOnce);
+    file.begin(0);
+    file.keep(std::string(10000, 'x'));
+    if (is_done) file.finish();
+    ASSERT_TRUE(file.write());
+    EXPECT_EQ(fs::exists(whole()), is_done);
+    EXPECT_GE(file.bytes(), 10000u);
+    EXPECT_TRUE(file.give());
+    EXPECT_FALSE(fs::exists(whole()) || fs::exists(part()));
+    EXPECT_EQ(file.bytes(), 0u);
+    EXPECT_FALSE(file.give());
+    EXPECT_NE(file.trouble().find("was given up"), std::string::npos);
+    file.keep("two");
+    EXPECT_FALSE(file.write());
+  }
+}
+
+TEST_F(UnitPassFile, PassesGoBeforeThePicturesOwnJournal) {
+  PassFile passes(picture(), identity, kAtOnce);
+  PassFile other((folder / "b.png").string(), identity, kAtOnce);
+  for (PassFile* const file : {&passes, &other}) {
+    file->begin(0);
+    file->keep(std::string(10000, 'x'));
+    ASSERT_TRUE(file->write());
+  }
+  core::SpareRooms rooms({&passes, &other});
+  EXPECT_EQ(rooms.bytes(), passes.bytes() + other.bytes());
+  EXPECT_TRUE(rooms.give());
+  EXPECT_EQ(passes.bytes(), 0u);
+  EXPECT_GT(other.bytes(), 0u);
+  EXPECT_TRUE(rooms.give());
+  EXPECT_FALSE(rooms.give());
+}
+
 TEST_F(UnitPassFile, ADiskThatTakesNothingIsNoFailure) {
   fs::create_directory(part());
   PassFile file(picture(), identity, kAtOnce);
