@@ -74,6 +74,8 @@ figures() {
   $1 depth-drawing docs/depth.md '1 s' \
     'lentray /usr/share/doc/povray/examples/advanced/woodbox.pov Lenticular=On +W960 +H300
        --depth-view docs/depth.svg' docs/depth.svg
+  $1 prints docs/depth/prints.md '(1 h)' \
+    'python3 tests/bench/composition.py --dpi 299.35 --table docs/depth/prints.md'
   $1 depth-three docs/depth.md '(1 min)' \
     'P="scenes/demo.pov Lenticular=On Lens_Sheet=40lpi Sheet_Width=100mm Sheet_Height=75mm Print_DPI=300
        View_Distance=40cm +A0.1"; lentray $P +Oout/print.png; lentray $P Depth=viewer +Oout/viewer.png;

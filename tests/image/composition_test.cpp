@@ -56,6 +56,34 @@ class ImageComposition : public ::testing::Test {
   const tool::TemporaryFolder m_folder;
 };
 
+StoredImage tile_of(const StoredImage& quilt, const json& tile, const StoredImage& like) {
+  StoredImage out = like;
+  std::vector<float> samples;
+  const std::uint32_t left = tile["left"], top = tile["top"];
+  for (std::uint32_t y = 0; y < like.height; ++y)
+    for (std::uint32_t x = 0; x < like.width; ++x)
+      for (int c = 0; c < like.channels; ++c) samples.push_back(quilt.at(left + x, top + y, c));
+  out.samples = core::Samples(samples);
+  return out;
+}
+
+/// Each tile of a quilt beside what stock makes of the scene from the camera of View_Cameras.
+void expect_tiles_are_stocks(const StoredImage& quilt, const fs::path& cameras,
+                             const std::string& scene, const std::vector<std::string>& options,
+                             Grade grade) {
+  for (const json& one : json::parse(tool::read_text(cameras))["cameras"]) {
+    const json& p = one["povray"];
+    const auto vector = [&p](const char* name) {
+      const json& v = p[name];
+      return std::string(name) + " <" + v[0].dump() + "," + v[1].dump() + "," + v[2].dump() + "> ";
+    };
+    const std::string camera = "\ncamera { " + vector("location") + vector("direction") +
+                               vector("right") + vector("up") + "}\n";
+    const StoredImage stock = stock_render({scene + camera, 48, 36, options});
+    EXPECT_TRUE(reaches(tile_of(quilt, one["tile"], stock), stock, grade)) << one;
+  }
+}
+
 bool composed_says(const tool::RunResult& result, const std::string& part) {
   return result.output.find(part) != std::string::npos;
 }
@@ -122,27 +150,7 @@ TEST_F(ImageComposition, QuiltsAreComposedWhereThatIsAskedFor) {
   ASSERT_EQ(done.status, 0) << done.output;
   EXPECT_TRUE(composed_says(done, "In the sheet's plane")) << done.output;
   EXPECT_TRUE(composed_says(done, "pixels a view at most")) << done.output;
-  const StoredImage quilt = read("q.png");
-  const json all = json::parse(tool::read_text(m_folder / "c.json"));
-  for (const json& one : all["cameras"]) {
-    const json& p = one["povray"];
-    const auto vector = [&p](const char* name) {
-      const json& v = p[name];
-      return "<" + v[0].dump() + "," + v[1].dump() + "," + v[2].dump() + ">";
-    };
-    const StoredImage stock =
-        by_stock("camera { location " + vector("location") + " direction " + vector("direction") +
-                     " right " + vector("right") + " up " + vector("up") + " }\n",
-                 48, 36);
-    StoredImage tile = stock;
-    std::vector<float> samples;
-    const std::uint32_t left = one["tile"]["left"], top = one["tile"]["top"];
-    for (std::uint32_t y = 0; y < 36; ++y)
-      for (std::uint32_t x = 0; x < 48; ++x)
-        for (int c = 0; c < stock.channels; ++c) samples.push_back(quilt.at(left + x, top + y, c));
-    tile.samples = core::Samples(samples);
-    EXPECT_TRUE(reaches(tile, stock, Grade::match)) << one;
-  }
+  expect_tiles_are_stocks(read("q.png"), m_folder / "c.json", kComposedScene, {}, Grade::match);
 }
 
 TEST_F(ImageComposition, WithoutDataOfAPrintAllStaysAsItIs) {
@@ -241,6 +249,13 @@ TEST_P(SlowCompositionExamples, ViewsAreStocks) {
   EXPECT_EQ(done.status, 0) << done.output;
 }
 
+std::string example_name(const ::testing::TestParamInfo<const char*>& example) {
+  std::string name = fs::path(example.param).stem().string();
+  std::replace_if(
+      name.begin(), name.end(), [](char c) { return !std::isalnum(c); }, '_');
+  return name;
+}
+
 INSTANTIATE_TEST_SUITE_P(
     Composition, SlowCompositionExamples,
     ::testing::Values("advanced/sombrero.pov", "advanced/teapot/teapot3.pov",
@@ -251,12 +266,29 @@ INSTANTIATE_TEST_SUITE_P(
                       "textures/finishes/cluster.pov", "templates/Basic_Scenes/Checkered_plane.pov",
                       "objects/superel2.pov", "objects/blob.pov", "textures/patterns/agate.pov",
                       "interior/skysph1.pov", "interior/magglass.pov", "objects/superel1.pov"),
-    [](const auto& example) {
-      std::string name = fs::path(example.param).stem().string();
-      std::replace_if(
-          name.begin(), name.end(), [](char c) { return !std::isalnum(c); }, '_');
-      return name;
-    });
+    example_name);
+
+class SlowCompositionQuilts : public ::testing::TestWithParam<const char*> {};
+
+TEST_P(SlowCompositionQuilts, TilesAreStocks) {
+  const fs::path scene = fs::path("/usr/share/doc/povray/examples") / GetParam();
+  if (!fs::exists(scene)) GTEST_SKIP() << "povray-examples is not installed";
+  const tool::TemporaryFolder folder;
+  const std::string library = "+L" + scene.parent_path().string();
+  const auto done =
+      run_lentray({"+I" + scene.string(), library, "-V", "-A", "Quilt=5x2", "Quilt_Tile=48x36",
+                   "Depth=print", "+Oq.png", "View_Cameras=c.json"},
+                  folder.path());
+  ASSERT_EQ(done.status, 0) << done.output;
+  expect_tiles_are_stocks(core::read_image(folder / "q.png"), folder / "c.json",
+                          tool::read_text(scene), {library}, Grade::match);
+}
+
+INSTANTIATE_TEST_SUITE_P(Composition, SlowCompositionQuilts,
+                         ::testing::Values("advanced/woodbox.pov", "camera/perspective.pov",
+                                           "objects/chesmsh.pov", "lights/spotlite.pov",
+                                           "textures/finishes/arches.pov"),
+                         example_name);
 
 }  // namespace
 }  // namespace lentray::test
