@@ -188,12 +188,12 @@ PhotonPath::Layers PhotonPath::see_layers(const Meeting& at, const LayeredTextur
 void PhotonPath::see_layer(const TextureLayer& layer, const Meeting& at, const TexturePlace& place,
                            const Leg& leg, SurfaceContext& context, Layers& layers) const {
   const Finish& finish = *layer.finish;
+  if (layer.normal) context.normal = place.perturbed(*layer.normal, at.normal, context);
   // What is opaque passes nothing, whatever its colour.
   Colour colour;
   if (finish.reflection_metallic != 0.0 || !layer.pigment->is_opaque()) {
     colour = layer.pigment->colour(place.point, context);
   }
-  if (layer.normal) context.normal = place.perturbed(*layer.normal, at.normal, context);
   const Vec3 normal = layer.normal ? context.normal : at.normal;
   if (layers.mirrors.empty()) layers.top_normal = normal;
   // A layer's own colour has been through those above it when it filters.

@@ -122,9 +122,9 @@ std::size_t PlainTextures::find_layers(const Ray& ray, const Hit& hit, const Met
        layer != layers.rend() && transparency > m_settings.adc_bailout; ++layer) {
     if (count == kMostLayers) return 0;
     PlainLayer& added = out[count++];
+    if (layer->normal) surface.normal = place.perturbed(*layer->normal, where.normal, surface);
     const Colour* constant = layer->pigment->constant();
     fill(*layer, constant ? *constant : layer->pigment->colour(place.point, surface), added);
-    if (layer->normal) surface.normal = place.perturbed(*layer->normal, where.normal, surface);
     added.normal = layer->normal ? surface.normal : where.normal;
     filter *= added.passed;
     transparency = std::min(1.0, static_cast<double>(std::fabs(grey(filter))));
