@@ -103,13 +103,13 @@ Vec3 entered(const TextureSpace* spaces, std::uint32_t space, const Vec3& normal
 
 }  // namespace
 
-Vec3 TexturePlace::perturbed_inside(const NormalPerturbation& by, const Vec3& normal,
-                                    const SurfaceContext& surface) const {
-  Vec3 n = by.perturb(point, entered(spaces, space, normal), surface);
+Vec3 TexturePlace::inside(const Vec3& normal) const { return entered(spaces, space, normal); }
+
+Vec3 TexturePlace::outside(Vec3 normal) const {
   for (std::uint32_t at = space; at != 0; at = spaces[at - 1].around) {
-    n = normalized(spaces[at - 1].placement->normal_outwards(normalized(n)));
+    normal = normalized(spaces[at - 1].placement->normal_outwards(normalized(normal)));
   }
-  return n;
+  return normal;
 }
 
 TexturePtr make_texture_map(PlacedPattern pattern, const BlendMap<TexturePtr>& map) {

@@ -32,15 +32,17 @@ struct TexturePlace {
   /// The list, until the WeightedTextures that it is of are cleared.
   const TextureSpace* spaces = nullptr;
 
-  /// A unit normal of the world -> the unit normal of the world that a layer makes of it.
+  /// A unit normal of the world -> the unit normal that a layer makes of it, in its space: as its pigment sees it.
   Vec3 perturbed(const NormalPerturbation& by, const Vec3& normal,
                  const SurfaceContext& surface) const {
-    return space == 0 ? by.perturb(point, normal, surface) : perturbed_inside(by, normal, surface);
+    return by.perturb(point, space == 0 ? normal : inside(normal), surface);
   }
+  /// Such a normal -> the world's.
+  Vec3 outwards(const Vec3& normal) const { return space == 0 ? normal : outside(normal); }
 
  private:
-  Vec3 perturbed_inside(const NormalPerturbation& by, const Vec3& normal,
-                        const SurfaceContext& surface) const;
+  Vec3 inside(const Vec3& normal) const;
+  Vec3 outside(Vec3 normal) const;
 };
 
 struct WeightedTexture {

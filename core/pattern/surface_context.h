@@ -12,8 +12,8 @@ struct Hit;
 
 struct SurfaceContext {
   Vec3 point;
-  /// Unit, facing the ray. Pigments see that of their layer, or of the last layer above that has one; normals
-  /// the latter.
+  /// Unit, facing the ray. Pigments see that of their layer or, as normals, of the last layer above that has one:
+  /// in the space of the map that the layers are in. Without any it is the surface's, in the world.
   Vec3 normal;
   Vec3 direction;            ///< of the ray, unit
   const Hit* hit = nullptr;  ///< null: asked for a point of empty space (sky, function, media);

@@ -194,7 +194,7 @@ void PhotonPath::see_layer(const TextureLayer& layer, const Meeting& at, const T
   if (finish.reflection_metallic != 0.0 || !layer.pigment->is_opaque()) {
     colour = layer.pigment->colour(place.point, context);
   }
-  const Vec3 normal = layer.normal ? context.normal : at.normal;
+  const Vec3 normal = layer.normal ? place.outwards(context.normal) : at.normal;
   if (layers.mirrors.empty()) layers.top_normal = normal;
   // A layer's own colour has been through those above it when it filters.
   colour.rgb *= layers.filter;

@@ -217,8 +217,9 @@ Rgb PlainShadowTester::surface_filter(const Hit& hit, const Ray& ray, double dep
       const Colour* constant = layer.pigment->constant();
       through *= passed(constant ? *constant : layer.pigment->colour(place.point, surface));
       if (!caustics) continue;
-      const double cosine =
-          dot(layer.normal ? place.perturbed(*layer.normal, normal, surface) : normal, along);
+      const double cosine = dot(
+          layer.normal ? place.outwards(place.perturbed(*layer.normal, normal, surface)) : normal,
+          along);
       through = times(through, 1.0 + std::pow(std::fabs(cosine), interior->caustics));
     }
     sum += times(through, weighted.weight);

@@ -125,7 +125,7 @@ std::size_t PlainTextures::find_layers(const Ray& ray, const Hit& hit, const Met
     if (layer->normal) surface.normal = place.perturbed(*layer->normal, where.normal, surface);
     const Colour* constant = layer->pigment->constant();
     fill(*layer, constant ? *constant : layer->pigment->colour(place.point, surface), added);
-    added.normal = layer->normal ? surface.normal : where.normal;
+    added.normal = layer->normal ? place.outwards(surface.normal) : where.normal;
     filter *= added.passed;
     transparency = std::min(1.0, static_cast<double>(std::fabs(grey(filter))));
   }

@@ -58,7 +58,7 @@ void SurfaceShading::shade_layer(const TextureLayer& layer, Surface& at, LayerSu
   const Colour* constant = layer.pigment->constant();
   const Colour colour =
       constant ? *constant : layer.pigment->colour(at.texture_place.point, at.context);
-  const Vec3& normal = layer.normal ? at.context.normal : at.normal;
+  const Vec3 normal = layer.normal ? at.texture_place.outwards(at.context.normal) : at.normal;
   if (m_paths.transparency && sum.layers == 0) {
     sum.top_normal = normal;
     sum.top_finish = &finish;

@@ -102,7 +102,12 @@ const SurfacePatternsCase kSurfacePatternsCases[] = {
      "torus { .7, .4 texture { gradient x texture_map {"
      " [.3 pigment { slope y color_map { Steep } } normal { bumps .6 scale .2 }]"
      " [.7 pigment { slope x color_map { Steep } } normal { ripples .8 frequency 9 }] }"
-     " scale 1.5 } }"},
+     " scale 1.5 rotate 25*y } rotate -50*x }"},
+    {"slope_above_in_a_turned_map",
+     "#declare Two = texture { pigment { slope y color_map { Steep } } }"
+     " texture { pigment { slope x color_map { [.3 rgbt <1,0,0,.2>] [.6 rgbt 1] } }"
+     " normal { bumps .6 scale .2 } }"
+     " sphere { 0, 1 texture { gradient x texture_map { [.5 Two] [.5 Two] } rotate <20,30,40> } }"},
     {"slope_own_bumps_average",
      "sphere { 0, 1 pigment { average pigment_map { [1 slope x color_map { Steep }]"
      " [2 checker rgb 1 rgb 0 scale .3] } } normal { average normal_map {"
