@@ -22,7 +22,10 @@ class BlobTexture final : public CompositeTexture {
                WeightedTextures& out) const override;
 
  private:
+  std::span<const std::shared_ptr<const Texture>> parts() const override { return m_textures; }
+
   BlobFields m_fields;  ///< one a texture
+  std::vector<std::shared_ptr<const Texture>> m_textures;
   double m_least;
 };
 

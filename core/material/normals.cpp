@@ -123,17 +123,16 @@ NormalPtr make_normal_map(PlacedPattern pattern, BlendMap<NormalPtr> map, bool k
     return normalized(frame.leave(inner));
   });
 }
-NormalPtr make_average_normal(Placement placement,
-                              std::vector<std::pair<double, NormalPtr>> entries, bool keep_scale) {
+NormalPtr make_average_normal(Placement placement, BlendMap<NormalPtr> map, bool keep_scale) {
   double total = 0.0;
-  for (const auto& [weight, normal] : entries) total += weight;
-  return normal_of([frame = Frame(std::move(placement), keep_scale), entries = std::move(entries),
-                    total](const Vec3& point, const Vec3& normal, const SurfaceContext& surface) {
+  for (const double weight : map.values()) total += weight;
+  return normal_of([frame = Frame(std::move(placement), keep_scale), map = std::move(map), total](
+                       const Vec3& point, const Vec3& normal, const SurfaceContext& surface) {
     const Vec3 local = frame.inwards(point, surface);
     const Vec3 entered = frame.enter(normal);
     Vec3 sum;
-    for (const auto& [weight, one] : entries)
-      sum += perturbed(one, local, entered, surface) * weight;
+    for (std::size_t i = 0; i < map.items().size(); ++i)
+      sum += perturbed(map.items()[i], local, entered, surface) * map.values()[i];
     return frame.leave(sum / total);
   });
 }

@@ -41,8 +41,7 @@ NormalPtr make_slope_normal(PlacedPattern pattern, double amount, double accurac
                             std::optional<BlendMap<SlopePoint>> slopes, bool keep_scale);
 /// Null entries leave the normal as it is.
 NormalPtr make_normal_map(PlacedPattern pattern, BlendMap<NormalPtr> map, bool keep_scale);
-NormalPtr make_average_normal(Placement placement,
-                              std::vector<std::pair<double, NormalPtr>> entries, bool keep_scale);
+NormalPtr make_average_normal(Placement placement, BlendMap<NormalPtr> map, bool keep_scale);
 /// A perturbation inside the space of a texture map's pattern.
 NormalPtr make_placed_normal(Placement placement, NormalPtr normal, bool keep_scale);
 

@@ -107,12 +107,12 @@ class PictureDisplacement final : public Displacement {
 
 class MaterialMap final : public CompositeTexture {
  public:
-  MaterialMap(Placement placement, MappedPicturePtr picture, std::vector<TexturePtr> textures)
-      : CompositeTexture(std::move(textures)), m_placement(std::move(placement)),
-        m_picture(std::move(picture)) {}
+  MaterialMap(Placement placement, MappedPicturePtr picture, const BlendMap<TexturePtr>& textures)
+      : m_placement(std::move(placement)), m_picture(std::move(picture)), m_textures(textures) {}
   void resolve(const Vec3& point, const SurfaceContext& surface, double weight,
                WeightedTextures& out) const override {
-    const auto place = m_picture->place(m_placement.inwards(point, surface));
+    const Vec3 local = m_placement.inwards(point, surface);
+    const auto place = m_picture->place(local);
     std::size_t number = 0;
     if (place) {
       const auto entry = m_picture->index(*place);
@@ -120,13 +120,19 @@ class MaterialMap final : public CompositeTexture {
                                               : whole_of(m_picture->colour(*place).rgb.r * 255.0f));
     }
     // Counts round only beyond the number of textures, and stops at the last.
-    if (number > m_textures.size()) number %= m_textures.size();
-    m_textures[std::min(number, m_textures.size() - 1)]->resolve(point, surface, weight, out);
+    const std::size_t count = parts().size();
+    if (number > count) number %= count;
+    const std::uint32_t around = out.enter(m_placement);
+    parts()[std::min(number, count - 1)]->resolve(local, surface, weight, out);
+    out.leave(around);
   }
 
  private:
+  std::span<const TexturePtr> parts() const override { return m_textures.items(); }
+
   Placement m_placement;
   MappedPicturePtr m_picture;
+  BlendMap<TexturePtr> m_textures;  ///< numbered, whatever the values
 };
 
 }  // namespace
@@ -335,9 +341,8 @@ DisplacementPtr make_picture_displacement(MappedPicturePtr picture, double amoun
   return std::make_unique<PictureDisplacement>(std::move(picture), amount, by_index);
 }
 TexturePtr make_material_map(Placement placement, MappedPicturePtr picture,
-                             std::vector<TexturePtr> textures) {
-  return std::make_shared<MaterialMap>(std::move(placement), std::move(picture),
-                                       std::move(textures));
+                             const BlendMap<TexturePtr>& textures) {
+  return std::make_shared<MaterialMap>(std::move(placement), std::move(picture), textures);
 }
 
 }  // namespace lentray::core

@@ -116,6 +116,6 @@ PatternPtr make_picture_pattern(MappedPicturePtr picture, bool alpha);
 DisplacementPtr make_picture_displacement(MappedPicturePtr picture, double amount, bool by_index);
 /// Textures by the palette's number, or the red of the pixel, 0..255; counted round.
 TexturePtr make_material_map(Placement placement, MappedPicturePtr picture,
-                             std::vector<TexturePtr> textures);
+                             const BlendMap<TexturePtr>& textures);
 
 }  // namespace lentray::core

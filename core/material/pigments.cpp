@@ -55,21 +55,18 @@ PigmentPtr make_pigment_map_pigment(PlacedPattern pattern, BlendMap<PigmentPtr> 
     return blend((*place.before)->colour(local, surface), after, place.fraction);
   });
 }
-PigmentPtr make_average_pigment(Placement placement,
-                                std::vector<std::pair<double, PigmentPtr>> entries) {
+PigmentPtr make_average_pigment(Placement placement, BlendMap<PigmentPtr> map) {
   float total = 0.0f;
-  bool is_opaque = true;
-  for (const auto& [weight, pigment] : entries) {
-    total += static_cast<float>(weight);
-    is_opaque = is_opaque && pigment->is_opaque();
-  }
-  return pigment_of(is_opaque, [placement = std::move(placement), entries = std::move(entries),
-                                total](const Vec3& point, const SurfaceContext& surface) {
+  for (const double weight : map.values()) total += static_cast<float>(weight);
+  const bool is_opaque =
+      std::ranges::all_of(map.items(), [](const PigmentPtr& p) { return p->is_opaque(); });
+  return pigment_of(is_opaque, [placement = std::move(placement), map = std::move(map), total](
+                                   const Vec3& point, const SurfaceContext& surface) {
     const Vec3 local = placement.inwards(point, surface);
     Colour sum;
-    for (const auto& [weight, pigment] : entries) {
-      const Colour one = pigment->colour(local, surface);
-      const auto w = static_cast<float>(weight);
+    for (std::size_t i = 0; i < map.items().size(); ++i) {
+      const Colour one = map.items()[i]->colour(local, surface);
+      const auto w = static_cast<float>(map.values()[i]);
       sum.rgb += one.rgb * w;
       sum.filter += one.filter * w;
       sum.transmit += one.transmit * w;

@@ -20,8 +20,7 @@ PigmentPtr make_colour_map_pigment(PlacedPattern pattern, BlendMap<Colour> map);
 /// Entries are evaluated in the pattern's space.
 PigmentPtr make_pigment_map_pigment(PlacedPattern pattern, BlendMap<PigmentPtr> map);
 /// Weights need not sum to 1.
-PigmentPtr make_average_pigment(Placement placement,
-                                std::vector<std::pair<double, PigmentPtr>> entries);
+PigmentPtr make_average_pigment(Placement placement, BlendMap<PigmentPtr> map);
 /// A pigment inside another space.
 PigmentPtr make_placed_pigment(Placement placement, PigmentPtr pigment);
 /// The same colours without filter and transmit (+Q0, +Q1).

@@ -12,8 +12,10 @@ struct Hit;
 
 struct SurfaceContext {
   Vec3 point;
-  Vec3 normal;     ///< unit, facing the ray; that of the layer above, once one has perturbed it
-  Vec3 direction;  ///< of the ray, unit
+  /// Unit, facing the ray. Pigments see that of their layer or, as normals, of the last layer above that has one:
+  /// in the space of the map that the layers are in. Without any it is the surface's, in the world.
+  Vec3 normal;
+  Vec3 direction;            ///< of the ray, unit
   const Hit* hit = nullptr;  ///< null: asked for a point of empty space (sky, function, media);
                              ///< patterns pass it on, and rooms above read it
 };

@@ -225,6 +225,9 @@ bool Blob::may_hold(const Reach* const* active, std::size_t count, double from, 
 
 template <class Visit>
 void Blob::crossings(const Ray& from_afar, double t_min, double t_max, Visit&& visit) const {
+  // Nearer ones do not count for any ray, as in stock (tests/image/blob_start_test.cpp).
+  constexpr double kNearest = 0.01;
+  t_min = std::max(t_min, kNearest);
   // Counted from the point nearest to the blob, so that far origins do not cost digits.
   const double shift = dot(m_fields.reach().centre() - from_afar.origin, from_afar.direction) /
                        dot(from_afar.direction, from_afar.direction);

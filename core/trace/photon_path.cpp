@@ -117,17 +117,17 @@ void PhotonPath::follow(const Leg& leg) {
   const bool from_behind = dot(normal, leg.ray.direction) > 0.0;
   if (from_behind) normal = -normal;
   const Meeting at{hit, attributes, flags, point, normal, passes};
+  const SurfaceContext surface{point, normal, leg.ray.direction, &hit};
   if (const LayeredTexture* all = attributes.texture->everywhere();
       all && !attributes.interior_texture) {
-    return arrive(at, *all, leg);
+    return arrive(at, *all, {texture_point(surface)}, leg);
   }
   WeightedTextures textures;
-  textures_at({point, normal, leg.ray.direction, &hit}, from_behind, m_settings.adc_bailout,
-              textures);
-  for (std::size_t i = 0; i < textures.size(); ++i) {
+  textures_at(surface, from_behind, m_settings.adc_bailout, textures);
+  for (const WeightedTexture& one : textures) {
     Leg part = leg;
-    part.power = times(leg.power, textures[i].weight);
-    arrive(at, *textures[i].texture, part);
+    part.power = times(leg.power, one.weight);
+    arrive(at, *one.texture, textures.place(one), part);
   }
 }
 
@@ -143,7 +143,8 @@ Rgb PhotonPath::faded(const Meeting& at, const Leg& leg) const {
   return leg.power * left;
 }
 
-void PhotonPath::arrive(const Meeting& at, const LayeredTexture& texture, Leg leg) {
+void PhotonPath::arrive(const Meeting& at, const LayeredTexture& texture, const TexturePlace& place,
+                        Leg leg) {
   const bool is_behind_target = leg.level > 0 && !leg.passed;
   const PhotonMedia::Piece piece{leg.ray, at.hit.t, leg.way, leg.inside};
   if (is_behind_target && m_settings.media_steps > 0) {
@@ -165,7 +166,7 @@ void PhotonPath::arrive(const Meeting& at, const LayeredTexture& texture, Leg le
   const bool reflects =
       !at.passes && photons_go_on(at.flags.photon_reflection, light.photon_reflection);
   if ((!refracts && !reflects) || ends_photons(texture)) return;
-  const Layers layers = see_layers(at, texture, leg);
+  const Layers layers = see_layers(at, texture, place, leg);
   bool total_reflection = false;
   if (refracts && layers.transparency > m_settings.adc_bailout) {
     total_reflection = refract(at, layers, leg);
@@ -174,27 +175,26 @@ void PhotonPath::arrive(const Meeting& at, const LayeredTexture& texture, Leg le
 }
 
 PhotonPath::Layers PhotonPath::see_layers(const Meeting& at, const LayeredTexture& texture,
-                                          const Leg& leg) const {
+                                          const TexturePlace& place, const Leg& leg) const {
   Layers layers;
   SurfaceContext context{at.point, at.normal, leg.ray.direction, &at.hit};
   for (auto layer = texture.layers().rbegin();
        layer != texture.layers().rend() && layers.transparency > m_settings.adc_bailout; ++layer) {
-    see_layer(*layer, at, leg, context, layers);
+    see_layer(*layer, at, place, leg, context, layers);
   }
   return layers;
 }
 
-void PhotonPath::see_layer(const TextureLayer& layer, const Meeting& at, const Leg& leg,
-                           SurfaceContext& context, Layers& layers) const {
+void PhotonPath::see_layer(const TextureLayer& layer, const Meeting& at, const TexturePlace& place,
+                           const Leg& leg, SurfaceContext& context, Layers& layers) const {
   const Finish& finish = *layer.finish;
-  const Vec3 place = texture_point(context);
+  if (layer.normal) context.normal = place.perturbed(*layer.normal, at.normal, context);
   // What is opaque passes nothing, whatever its colour.
   Colour colour;
   if (finish.reflection_metallic != 0.0 || !layer.pigment->is_opaque()) {
-    colour = layer.pigment->colour(place, context);
+    colour = layer.pigment->colour(place.point, context);
   }
-  if (layer.normal) context.normal = layer.normal->perturb(place, at.normal, context);
-  const Vec3 normal = layer.normal ? context.normal : at.normal;
+  const Vec3 normal = layer.normal ? place.outwards(context.normal) : at.normal;
   if (layers.mirrors.empty()) layers.top_normal = normal;
   // A layer's own colour has been through those above it when it filters.
   colour.rgb *= layers.filter;

@@ -31,11 +31,12 @@ class PhotonPath {
   void follow(const Leg& leg);
   /// Whether photons go on from what a leg meets; `passes`: they only pass it.
   bool is_wanted(const Leg& leg, const PassFlags& flags, bool& passes);
-  void arrive(const Meeting& at, const LayeredTexture& texture, Leg leg);
+  void arrive(const Meeting& at, const LayeredTexture& texture, const TexturePlace& place, Leg leg);
   Rgb faded(const Meeting& at, const Leg& leg) const;
-  Layers see_layers(const Meeting& at, const LayeredTexture& texture, const Leg& leg) const;
-  void see_layer(const TextureLayer& layer, const Meeting& at, const Leg& leg,
-                 SurfaceContext& context, Layers& layers) const;
+  Layers see_layers(const Meeting& at, const LayeredTexture& texture, const TexturePlace& place,
+                    const Leg& leg) const;
+  void see_layer(const TextureLayer& layer, const Meeting& at, const TexturePlace& place,
+                 const Leg& leg, SurfaceContext& context, Layers& layers) const;
   /// Both are true on total internal reflection.
   bool refract(const Meeting& at, const Layers& layers, const Leg& leg);
   bool bend(const Meeting& at, const Layers& layers, double ior, const Leg& before, Leg onward);

@@ -207,19 +207,19 @@ Rgb PlainShadowTester::surface_filter(const Hit& hit, const Ray& ray, double dep
   const bool from_behind = dot(normal, along) > 0.0;
   if (from_behind) normal = -normal;
   SurfaceContext surface{point, normal, along, &hit};
-  const Vec3 placed = texture_point(surface);
-
   m_textures.clear();
   textures_at(surface, from_behind, m_bailout, m_textures);
   Rgb sum;
   for (const WeightedTexture& weighted : m_textures) {
+    const TexturePlace place = m_textures.place(weighted);
     Rgb through(1.0f);
     for (const TextureLayer& layer : weighted.texture->layers()) {
       const Colour* constant = layer.pigment->constant();
-      through *= passed(constant ? *constant : layer.pigment->colour(placed, surface));
+      through *= passed(constant ? *constant : layer.pigment->colour(place.point, surface));
       if (!caustics) continue;
-      const double cosine =
-          dot(layer.normal ? layer.normal->perturb(placed, normal, surface) : normal, along);
+      const double cosine = dot(
+          layer.normal ? place.outwards(place.perturbed(*layer.normal, normal, surface)) : normal,
+          along);
       through = times(through, 1.0 + std::pow(std::fabs(cosine), interior->caustics));
     }
     sum += times(through, weighted.weight);

@@ -87,12 +87,14 @@ PlainTextures::Kind PlainTextures::made(const Texture& texture) const {
   }
 }
 
-/// Of a texture by place; null: several blend there.
-const LayeredTexture* PlainTextures::resolved(const Texture& texture, const Vec3& point,
-                                              const SurfaceContext& surface) {
+/// Of a texture by place; null: several blend there. Leads `place` to where it is asked.
+const LayeredTexture* PlainTextures::resolved(const Texture& texture, const SurfaceContext& surface,
+                                              TexturePlace& place) {
   m_found.clear();
-  texture.resolve(point, surface, 1.0, m_found);
-  return m_found.size() == 1 && m_found.front().weight == 1.0 ? m_found.front().texture : nullptr;
+  texture.resolve(place.point, surface, 1.0, m_found);
+  if (m_found.size() != 1 || m_found.front().weight != 1.0) return nullptr;
+  place = m_found.place(m_found.front());
+  return m_found.front().texture;
 }
 
 std::size_t PlainTextures::find_layers(const Ray& ray, const Hit& hit, const MetPlace& where,
@@ -108,9 +110,9 @@ std::size_t PlainTextures::find_layers(const Ray& ray, const Hit& hit, const Met
     return 1;
   }
   SurfaceContext surface{where.point, where.normal, ray.direction, &hit};
-  const Vec3 point = texture_point(surface);
+  TexturePlace place{texture_point(surface)};
   const LayeredTexture* layered =
-      kind.everywhere ? kind.everywhere : resolved(*texture, point, surface);
+      kind.everywhere ? kind.everywhere : resolved(*texture, surface, place);
   if (!layered) return 0;
   const std::vector<TextureLayer>& layers = layered->layers();
   std::size_t count = 0;
@@ -120,10 +122,10 @@ std::size_t PlainTextures::find_layers(const Ray& ray, const Hit& hit, const Met
        layer != layers.rend() && transparency > m_settings.adc_bailout; ++layer) {
     if (count == kMostLayers) return 0;
     PlainLayer& added = out[count++];
+    if (layer->normal) surface.normal = place.perturbed(*layer->normal, where.normal, surface);
     const Colour* constant = layer->pigment->constant();
-    fill(*layer, constant ? *constant : layer->pigment->colour(point, surface), added);
-    if (layer->normal) surface.normal = layer->normal->perturb(point, where.normal, surface);
-    added.normal = layer->normal ? surface.normal : where.normal;
+    fill(*layer, constant ? *constant : layer->pigment->colour(place.point, surface), added);
+    added.normal = layer->normal ? place.outwards(surface.normal) : where.normal;
     filter *= added.passed;
     transparency = std::min(1.0, static_cast<double>(std::fabs(grey(filter))));
   }

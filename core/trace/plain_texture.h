@@ -68,8 +68,8 @@ class PlainTextures {
   const Kind& another(const Texture* texture);
   Kind made(const Texture& texture) const;
   void fill(const TextureLayer& layer, const Colour& colour, PlainLayer& out) const;
-  const LayeredTexture* resolved(const Texture& texture, const Vec3& point,
-                                 const SurfaceContext& surface);
+  const LayeredTexture* resolved(const Texture& texture, const SurfaceContext& surface,
+                                 TexturePlace& place);
 
   const SceneSettings& m_settings;
   const PathFeatures m_paths;

@@ -4,6 +4,7 @@
 #include <cstdint>
 
 #include "core/base/ray.h"
+#include "core/material/texture.h"
 #include "core/object/leaf.h"
 #include "core/pattern/surface_context.h"
 #include "core/trace/interior_table.h"
@@ -45,13 +46,13 @@ struct MetPlace {
 struct Surface {
   const RayState& state;
   const Attributes& attributes;
-  SurfaceContext context;  ///< patterns of a layer see the normal of the one above
-  Vec3 normal;             ///< unit, facing the ray
-  Vec3 texture_point;
-  double texture_weight;  ///< of the texture that is shaded, among those that blend there
-  int level;              ///< trace level, 1: camera ray
-  std::uint32_t layer;    ///< layers shaded so far, of all textures
-  bool from_behind;       ///< the ray leaves the surface's solid
+  SurfaceContext context;      ///< what patterns see
+  Vec3 normal;                 ///< unit, facing the ray
+  TexturePlace texture_place;  ///< of the texture that is shaded
+  double texture_weight;       ///< of the texture that is shaded, among those that blend there
+  int level;                   ///< trace level, 1: camera ray
+  std::uint32_t layer;         ///< layers shaded so far, of all textures
+  bool from_behind;            ///< the ray leaves the surface's solid
 
   const Ray& ray() const { return state.ray; }
   const Vec3& point() const { return context.point; }

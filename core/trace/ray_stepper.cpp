@@ -71,7 +71,7 @@ Surface surface_at(const RayState& state, const Hit& hit, const MetPlace& where,
           *record.attributes,
           {where.point, where.normal, state.ray.direction, &hit},
           where.normal,
-          where.point,
+          {where.point},
           1.0,
           record.level,
           0,
@@ -95,7 +95,7 @@ void RayStepper::go_on(const RayState& state, const Hit& hit, const MetPlace& wh
 void RayStepper::shade(const RayState& state, const Hit& hit, const MetPlace& where,
                        const BlockLights* block, std::size_t place, RayRecord& record) {
   Surface at = surface_at(state, hit, where, record);
-  if (at.attributes.uv_mapping) at.texture_point = texture_point(at.context);
+  if (at.attributes.uv_mapping) at.texture_place.point = texture_point(at.context);
   ShadingBuffers& buffers = m_shaded < m_buffers.size() ? *m_buffers[m_shaded] : add_buffers();
   ++m_shaded;
   m_shading.begin(at, block, place, buffers);
@@ -116,12 +116,14 @@ void RayStepper::shade_textures(Surface& at, ShadingBuffers& buffers, RayRecord&
   const WeightedTextures& textures = buffers.textures;
   textures_at(at.context, at.from_behind, m_bailout, buffers.textures);
   if (textures.size() == 1 && textures.front().weight == 1.0) {
+    at.texture_place = textures.place(textures.front());
     record.own = shade_texture(*textures.front().texture, at, buffers, record);
     return;
   }
   record.own = {};
   for (const WeightedTexture& texture : textures) {
     at.context.normal = at.normal;
+    at.texture_place = textures.place(texture);
     at.texture_weight = texture.weight;
     const std::size_t before = record.onward.size();
     const Radiance own = shade_texture(*texture.texture, at, buffers, record);

@@ -52,12 +52,13 @@ void SurfaceShading::shade(const LayeredTexture& texture, Surface& at, ShadingBu
 void SurfaceShading::shade_layer(const TextureLayer& layer, Surface& at, LayerSum& sum,
                                  ShadingBuffers& buffers) {
   const Finish& finish = *layer.finish;
-  const Colour* constant = layer.pigment->constant();
-  const Colour colour = constant ? *constant : layer.pigment->colour(at.texture_point, at.context);
   if (layer.normal) {
-    at.context.normal = layer.normal->perturb(at.texture_point, at.normal, at.context);
+    at.context.normal = at.texture_place.perturbed(*layer.normal, at.normal, at.context);
   }
-  const Vec3& normal = layer.normal ? at.context.normal : at.normal;
+  const Colour* constant = layer.pigment->constant();
+  const Colour colour =
+      constant ? *constant : layer.pigment->colour(at.texture_place.point, at.context);
+  const Vec3 normal = layer.normal ? at.texture_place.outwards(at.context.normal) : at.normal;
   if (m_paths.transparency && sum.layers == 0) {
     sum.top_normal = normal;
     sum.top_finish = &finish;

@@ -9,23 +9,6 @@ namespace {
 
 using core::single;
 
-Ref<PigmentDesc> as_pigment(const DensityDesc& density) {
-  auto pigment = std::make_shared<PigmentDesc>();
-  pigment->where = density.where;
-  pigment->pattern = density.pattern;
-  pigment->colour = density.colour;
-  pigment->colour_map = density.colour_map;
-  if (density.density_map) {
-    auto map = std::make_shared<PigmentMapDesc>();
-    map->where = density.density_map->where;
-    for (const auto& entry : density.density_map->entries) {
-      map->entries.push_back({entry.value, as_pigment(*entry.item)});
-    }
-    pigment->pigment_map = map;
-  }
-  return pigment;
-}
-
 /// Patterns that are a few operations, unless they are stirred.
 bool is_quick(PatternKind kind) {
   switch (kind) {
@@ -66,9 +49,30 @@ core::MediumSampling sampling_of(const MediaDesc& media, const MediaSettings& in
 
 }  // namespace
 
+PigmentDesc as_pigment(const DensityDesc& density, const AsPigmentMap& as_map) {
+  PigmentDesc pigment;
+  pigment.where = density.where;
+  pigment.pattern = density.pattern;
+  pigment.colour = density.colour;
+  pigment.colour_map = density.colour_map;
+  if (density.density_map) pigment.pigment_map = as_map(density.density_map);
+  return pigment;
+}
+
+Ref<PigmentMapDesc> as_pigment_map(const DensityMapDesc& densities) {
+  auto map = std::make_shared<PigmentMapDesc>();
+  map->where = densities.where;
+  for (const auto& entry : densities.entries) {
+    map->entries.push_back(
+        {entry.value, std::make_shared<const PigmentDesc>(as_pigment(
+                          *entry.item, [](const auto& inner) { return as_pigment_map(*inner); }))});
+  }
+  return map;
+}
+
 std::shared_ptr<const core::Medium> compile_medium(
     const MediaDesc& media, const MediaSettings& instead,
-    const std::function<core::PigmentPtr(const Ref<PigmentDesc>&)>& pigment) {
+    const std::function<core::PigmentPtr(const DensityDesc&)>& density) {
   auto medium = std::make_shared<core::Medium>();
   medium->absorption = media.absorption;
   medium->emission = media.emission;
@@ -80,10 +84,8 @@ std::shared_ptr<const core::Medium> compile_medium(
   medium->variance_limits = core::find_variance_limits(medium->sampling);
   std::vector<Ref<DensityDesc>> densities = media.densities;
   std::stable_partition(densities.begin(), densities.end(),
-                        [](const auto& density) { return is_quick(density->pattern.kind); });
-  for (const Ref<DensityDesc>& density : densities) {
-    medium->densities.push_back(pigment(as_pigment(*density)));
-  }
+                        [](const auto& one) { return is_quick(one->pattern.kind); });
+  for (const Ref<DensityDesc>& one : densities) medium->densities.push_back(density(*one));
   return medium;
 }
 

@@ -11,9 +11,15 @@
 
 namespace lentray::parser {
 
-/// `pigment` compiles one: a density is a pigment whose colours are amounts.
+using AsPigmentMap = std::function<Ref<PigmentMapDesc>(const Ref<DensityMapDesc>&)>;
+
+/// A density is a pigment whose colours are amounts. `as_map` gives the map of one that has a map.
+PigmentDesc as_pigment(const DensityDesc& density, const AsPigmentMap& as_map);
+Ref<PigmentMapDesc> as_pigment_map(const DensityMapDesc& densities);
+
+/// `density` compiles one.
 std::shared_ptr<const core::Medium> compile_medium(
     const MediaDesc& media, const MediaSettings& instead,
-    const std::function<core::PigmentPtr(const Ref<PigmentDesc>&)>& pigment);
+    const std::function<core::PigmentPtr(const DensityDesc&)>& density);
 
 }  // namespace lentray::parser

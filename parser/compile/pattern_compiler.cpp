@@ -5,7 +5,6 @@
 #include <stdexcept>
 
 #include "core/material/pigments.h"
-#include "core/pattern/density_grid.h"
 #include "core/pattern/fractal.h"
 #include "core/pattern/organic.h"
 #include "core/pattern/pavement.h"
@@ -13,7 +12,6 @@
 #include "core/pattern/surface_patterns.h"
 #include "core/pattern/tiles.h"
 #include "core/pattern/tiling.h"
-#include "parser/compile/density_reader.h"
 #include "parser/compile/object_query.h"
 
 namespace lentray::parser {
@@ -159,14 +157,14 @@ core::PatternPtr compile_organic(const PatternDesc& p, const TextureSettings& se
   }
 }
 
-core::PatternPtr compile_density(const PatternDesc& p) {
+core::PatternPtr compile_density(const PatternDesc& p, const PatternBuild& build) {
   if (p.own->density_path.path.empty()) {
     throw std::runtime_error("cannot find the density file \"" + p.own->density_file + "\"");
   }
   core::GridInterpolation interpolation = core::GridInterpolation::kTricubic;
   if (p.own->density_interpolate % 10 == 0) interpolation = core::GridInterpolation::kNone;
   if (p.own->density_interpolate % 10 == 1) interpolation = core::GridInterpolation::kTrilinear;
-  return core::make_density_pattern(read_density_file(p.own->density_path), interpolation);
+  return core::make_density_pattern(build.density(p.own->density_path), interpolation);
 }
 
 core::PatternPtr compile_function(const PatternDesc& p, const PatternBuild& build) {
@@ -207,7 +205,7 @@ core::PatternPtr compile_pattern(const PatternDesc& pattern, const PatternBuild&
     const auto query = std::make_shared<const ObjectQuery>(*pattern.own->object);
     return core::make_inside([query](const core::Vec3& p) { return query->inside(p); });
   } else if (pattern.kind == PatternKind::kDensityFile) {
-    return compile_density(pattern);
+    return compile_density(pattern, build);
   } else if (pattern.kind == PatternKind::kImagePattern && pattern.own->image && build.picture) {
     return core::make_picture_pattern(build.picture(*pattern.own->image),
                                       pattern.own->image->use == ImageDesc::Use::kAlpha);
@@ -226,10 +224,8 @@ core::Wave compile_wave(const PatternDesc& pattern) {
   return wave;
 }
 
-core::PlacedPattern compile_placed(const PatternDesc& pattern, const core::Placement& outer,
-                                   const PatternBuild& build) {
-  return {outer.then(compile_placement(pattern)), compile_pattern(pattern, build),
-          compile_wave(pattern)};
+core::PlacedPattern compile_placed(const PatternDesc& pattern, const PatternBuild& build) {
+  return {compile_placement(pattern), compile_pattern(pattern, build), compile_wave(pattern)};
 }
 
 core::BlendMap<core::Colour> default_colours(PatternKind kind) {

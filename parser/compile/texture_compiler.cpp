@@ -5,6 +5,7 @@
 #include <bit>
 #include <cstdint>
 #include <functional>
+#include <map>
 #include <unordered_map>
 #include <utility>
 #include <vector>
@@ -15,6 +16,7 @@
 #include "core/material/pigments.h"
 #include "core/material/textures.h"
 #include "core/object/uv_warp.h"
+#include "parser/compile/density_reader.h"
 #include "parser/compile/finish.h"
 #include "parser/compile/medium.h"
 #include "parser/compile/pattern_compiler.h"
@@ -55,14 +57,18 @@ std::uint8_t place_of(const core::Colour& colour, const core::Finish* finish) {
   return static_cast<std::uint8_t>(mixed);
 }
 
-/// What a description was compiled to. Holds the description, so that its address stays its own. One
-/// to which only who asks refers is not kept: nobody will ask for it again.
+/// What a description was compiled to. Holds the description, so that its address stays its own.
 template <typename Desc, typename Compiled>
 class Cache {
  public:
+  /// One to which only who asks refers is not kept: nobody will ask for it again.
   template <typename Compile>
   std::shared_ptr<const Compiled> get(const Ref<Desc>& desc, Compile compile) {
-    if (desc.use_count() == 1) return compile();
+    return desc.use_count() == 1 ? compile() : get_of_shared(desc, compile);
+  }
+  /// Of a description whose owner several may share.
+  template <typename Compile>
+  std::shared_ptr<const Compiled> get_of_shared(const Ref<Desc>& desc, Compile compile) {
     const auto found = m_entries.find(desc.get());
     if (found != m_entries.end()) return found->second.second;
     auto compiled = compile();
@@ -107,12 +113,20 @@ class TextureBytes {
   std::uint64_t m_count = 0, m_bytes = 0;
 };
 
-/// The entries of a map, each compiled.
+/// A map with its entries compiled.
 template <typename Map, typename Compile = std::identity>
-auto compiled_entries(const Map& map, Compile compile = {}) {
+auto compiled_map(const Map& map, Compile compile = {}) {
   std::vector<std::pair<double, std::decay_t<decltype(compile(map.entries.front().item))>>> entries;
   for (const auto& entry : map.entries) entries.emplace_back(entry.value, compile(entry.item));
-  return entries;
+  return core::BlendMap(std::move(entries));
+}
+/// The same for all that have the map.
+template <typename Map, typename Item, typename... Compile>
+core::BlendMap<Item> shared_map(Cache<Map, core::BlendMap<Item>>& known, const Ref<Map>& map,
+                                Compile... compile) {
+  return *known.get(map, [&] {
+    return std::make_shared<const core::BlendMap<Item>>(compiled_map(*map, compile...));
+  });
 }
 
 }  // namespace
@@ -129,7 +143,14 @@ struct TextureCompiler::Impl {
   Cache<NormalDesc, core::NormalPerturbation> normals;
   Cache<FinishDesc, core::Finish> finishes;
   Cache<MediaDesc, core::Medium> media;
+  // What is moved has a description of its own and shares its map.
   Cache<ColourMapDesc, core::BlendMap<core::Colour>> colour_maps;
+  Cache<PigmentMapDesc, core::BlendMap<core::PigmentPtr>> pigment_maps;
+  Cache<NormalMapDesc, core::BlendMap<core::NormalPtr>> normal_maps;
+  Cache<SlopeMapDesc, core::BlendMap<core::SlopePoint>> slope_maps;
+  Cache<TextureMapDesc, core::BlendMap<core::TexturePtr>> texture_maps;
+  Cache<DensityMapDesc, PigmentMapDesc> density_maps;
+  std::map<std::string, std::shared_ptr<const core::DensityGrid>> density_grids;  ///< by path
   std::vector<core::TexturePtr> made;  ///< all that was asked for
   TextureBytes bytes;
   /// Some of the plain textures that were made: most scenes have few, on many objects.
@@ -141,13 +162,13 @@ struct TextureCompiler::Impl {
   std::array<Plain, 256> plain;
 
   explicit Impl(const TextureSettings& s)
-      : settings(s), pictures(not_yet), build{settings, not_yet,
-                                              [this](const Ref<PigmentDesc>& p) {
-                                                return compile(p, core::Placement());
-                                              },
-                                              [this](const ImageDesc& image) {
-                                                return pictures.get(image, false);
-                                              }} {}
+      : settings(s),
+        pictures(not_yet), build{settings, not_yet,
+                                 [this](const Ref<PigmentDesc>& p) { return compile_of_shared(p); },
+                                 [this](const ImageDesc& image) {
+                                   return pictures.get(image, false);
+                                 },
+                                 [this](const FoundFile& file) { return density_grid(file); }} {}
 
   /// Whether it is one colour everywhere, as most are.
   bool is_plain(const TextureDesc& texture) const {
@@ -176,52 +197,63 @@ struct TextureCompiler::Impl {
     return same.made;
   }
 
-  core::PigmentPtr compile(const Ref<PigmentDesc>& pigment, const core::Placement& outer) {
-    if (!outer.is_none()) return compile_fresh(*pigment, outer);
-    return pigments.get(pigment, [&] { return compile_fresh(*pigment, outer); });
+  core::PigmentPtr compile(const Ref<PigmentDesc>& pigment) {
+    return pigments.get(pigment, [&] { return compile_fresh(*pigment); });
+  }
+  /// Of a pattern, which what has been moved shares.
+  core::PigmentPtr compile_of_shared(const Ref<PigmentDesc>& pigment) {
+    return pigments.get_of_shared(pigment, [&] { return compile_fresh(*pigment); });
+  }
+  core::BlendMap<core::PigmentPtr> compile(const Ref<PigmentMapDesc>& map) {
+    return shared_map(pigment_maps, map, [&](const Ref<PigmentDesc>& p) { return compile(p); });
   }
 
-  core::PigmentPtr compile_fresh(const PigmentDesc& pigment, const core::Placement& outer) {
+  core::PigmentPtr compile_density(const DensityDesc& density) {
+    return compile_fresh(as_pigment(density, [this](const Ref<DensityMapDesc>& map) {
+      return density_maps.get(map, [&] { return as_pigment_map(*map); });
+    }));
+  }
+  std::shared_ptr<const core::DensityGrid> density_grid(const FoundFile& file) {
+    std::shared_ptr<const core::DensityGrid>& grid = density_grids[file.path];
+    if (!grid) grid = read_density_file(file);
+    return grid;
+  }
+
+  core::PigmentPtr compile_fresh(const PigmentDesc& pigment) {
     if (settings.quality <= kQuickColourQuality && pigment.quick_colour) {
       return core::make_plain_pigment(*pigment.quick_colour);
     }
     const PatternDesc& pattern = pigment.pattern;
     if (pattern.kind == PatternKind::kPlain) return core::make_plain_pigment(pigment.colour);
     if (pattern.kind == PatternKind::kImageMap) {
-      return core::make_picture_pigment(outer.then(compile_placement(pattern)),
+      return core::make_picture_pigment(compile_placement(pattern),
                                         pictures.get(*pattern.own->image, true));
     }
     if (pattern.kind == PatternKind::kUvMapping) {
       if (!pigment.pigment_map) return core::make_plain_pigment(first_colour(pigment));
-      const auto inner = compile(pigment.pigment_map->entries.front().item, core::Placement());
-      return core::make_placed_pigment(uv_placement(), inner);
-    }
-    std::vector<std::pair<double, core::PigmentPtr>> entries;
-    if (pigment.pigment_map) {
-      entries = compiled_entries(*pigment.pigment_map, [&](const Ref<PigmentDesc>& item) {
-        return compile(item, core::Placement());
-      });
+      return core::make_placed_pigment(uv_placement(),
+                                       compile(pigment.pigment_map).items().front());
     }
     if (pattern.kind == PatternKind::kAverage) {
-      return core::make_average_pigment(outer.then(compile_placement(pattern)), std::move(entries));
+      return core::make_average_pigment(compile_placement(pattern), compile(pigment.pigment_map));
     }
-    core::PlacedPattern placed = compile_placed(pattern, outer, build);
-    if (!entries.empty()) {
-      return core::make_pigment_map_pigment(std::move(placed), core::BlendMap(std::move(entries)));
+    core::PlacedPattern placed = compile_placed(pattern, build);
+    if (pigment.pigment_map) {
+      return core::make_pigment_map_pigment(std::move(placed), compile(pigment.pigment_map));
     }
     if (!pigment.colour_map) {
       return core::make_colour_map_pigment(std::move(placed), default_colours(pattern.kind));
     }
-    const auto map = colour_maps.get(pigment.colour_map, [&] {
-      return std::make_shared<const core::BlendMap<core::Colour>>(
-          compiled_entries(*pigment.colour_map));
-    });
-    return core::make_colour_map_pigment(std::move(placed), *map);
+    return core::make_colour_map_pigment(std::move(placed),
+                                         shared_map(colour_maps, pigment.colour_map));
   }
 
   core::NormalPtr compile(const Ref<NormalDesc>& normal) {
     if (!normal || settings.quality < kNormalQuality) return nullptr;
     return normals.get(normal, [&] { return compile_fresh(*normal); });
+  }
+  core::BlendMap<core::NormalPtr> compile(const Ref<NormalMapDesc>& map) {
+    return shared_map(normal_maps, map, [&](const Ref<NormalDesc>& n) { return compile(n); });
   }
 
   core::DisplacementPtr compile_displacement(const NormalDesc& normal) {
@@ -258,10 +290,9 @@ struct TextureCompiler::Impl {
                                          keep);
     }
     std::optional<core::BlendMap<core::SlopePoint>> slopes;
-    if (normal.slope_map) slopes.emplace(compiled_entries(*normal.slope_map));
-    return core::make_slope_normal(compile_placed(normal.pattern, core::Placement(), build),
-                                   single(normal.amount), single(normal.accuracy),
-                                   std::move(slopes), keep);
+    if (normal.slope_map) slopes = shared_map(slope_maps, normal.slope_map);
+    return core::make_slope_normal(compile_placed(normal.pattern, build), single(normal.amount),
+                                   single(normal.accuracy), std::move(slopes), keep);
   }
 
   core::NormalPtr compile_fresh(const NormalDesc& normal) {
@@ -269,18 +300,16 @@ struct TextureCompiler::Impl {
     if (pattern.kind == PatternKind::kPlain) return nullptr;
     if (pattern.kind == PatternKind::kUvMapping) {
       if (!normal.normal_map) return nullptr;
-      auto inner = compile(normal.normal_map->entries.front().item);
+      auto inner = compile(normal.normal_map).items().front();
       return inner ? core::make_placed_normal(uv_placement(), std::move(inner), false) : nullptr;
     }
     if (!normal.normal_map) return compile_pattern_normal(normal);
-    auto entries = compiled_entries(*normal.normal_map,
-                                    [&](const Ref<NormalDesc>& item) { return compile(item); });
     if (pattern.kind == PatternKind::kAverage) {
-      return core::make_average_normal(compile_placement(pattern), std::move(entries),
+      return core::make_average_normal(compile_placement(pattern), compile(normal.normal_map),
                                        normal.no_bump_scale);
     }
-    return core::make_normal_map(compile_placed(pattern, core::Placement(), build),
-                                 core::BlendMap(std::move(entries)), normal.no_bump_scale);
+    return core::make_normal_map(compile_placed(pattern, build), compile(normal.normal_map),
+                                 normal.no_bump_scale);
   }
 
   std::shared_ptr<const core::Finish> compile(const Ref<FinishDesc>& finish) {
@@ -298,60 +327,52 @@ struct TextureCompiler::Impl {
     });
   }
 
-  core::TextureLayer compile_layer(const TextureLayerDesc& layer, const core::Placement& outer) {
+  core::TextureLayer compile_layer(const TextureLayerDesc& layer) {
     core::TextureLayer result;
-    result.pigment = compile(layer.pigment, outer);
+    result.pigment = compile(layer.pigment);
     result.finish = compile(layer.finish);
     result.normal = compile(layer.normal);
     // A kept scale leaves the length free; the tracer wants it 1.
-    if (result.normal && (!outer.is_none() || layer.normal->no_bump_scale)) {
-      result.normal = core::make_placed_normal(outer, result.normal, false);
+    if (result.normal && layer.normal->no_bump_scale) {
+      result.normal = core::make_placed_normal(core::Placement(), result.normal, false);
     }
     return result;
   }
 
-  core::TexturePtr compile_patterned(const TextureLayerDesc& layer, const core::Placement& outer) {
+  core::TexturePtr compile_patterned(const TextureLayerDesc& layer) {
     const PatternDesc& pattern = *layer.pattern;
-    if (pattern.kind == PatternKind::kUvMapping) {
-      // Where the point lies does not matter then, but normals follow the transforms.
-      return compile(layer.map->entries.front().item,
-                     outer.then(compile_placement(pattern)).then(uv_placement()));
+    const core::BlendMap<core::TexturePtr> map =
+        shared_map(texture_maps, layer.map, [&](const Ref<TextureDesc>& t) { return compile(t); });
+    switch (pattern.kind) {
+      case PatternKind::kUvMapping:
+        // Where the point lies does not matter then, but normals follow the transforms.
+        return core::make_placed_texture(compile_placement(pattern).then(uv_placement()),
+                                         map.items().front());
+      case PatternKind::kAverage:
+        return core::make_average_texture(compile_placement(pattern), map);
+      case PatternKind::kMaterialMap:
+        // Numbers of textures are what the file holds, whatever its gamma.
+        return core::make_material_map(compile_placement(pattern),
+                                       pictures.get(*pattern.own->image, false), map);
+      default: return core::make_texture_map(compile_placed(pattern, build), map);
     }
-    // Entries are evaluated where the pattern is: its placement goes into them.
-    const core::Placement inner = outer.then(compile_placement(pattern));
-    auto entries = compiled_entries(
-        *layer.map, [&](const Ref<TextureDesc>& item) { return compile(item, inner); });
-    if (pattern.kind == PatternKind::kAverage)
-      return core::make_average_texture(std::move(entries));
-    if (pattern.kind == PatternKind::kMaterialMap) {
-      std::vector<core::TexturePtr> materials;
-      for (auto& entry : entries) materials.push_back(std::move(entry.second));
-      // Numbers of textures are what the file holds, whatever its gamma.
-      return core::make_material_map(inner, pictures.get(*pattern.own->image, false),
-                                     std::move(materials));
-    }
-    core::PlacedPattern placed{inner, compile_pattern(pattern, build), compile_wave(pattern)};
-    return core::make_texture_map(std::move(placed), core::BlendMap(std::move(entries)));
   }
 
-  core::TexturePtr compile(const Ref<TextureDesc>& texture, const core::Placement& outer) {
-    if (!outer.is_none()) return compile_fresh(*texture, outer);
-    return textures.get(texture, [&] { return compile_fresh(*texture, outer); });
+  core::TexturePtr compile(const Ref<TextureDesc>& texture) {
+    return textures.get(texture, [&] { return compile_fresh(*texture); });
   }
 
-  core::TexturePtr compile_fresh(const TextureDesc& texture, const core::Placement& outer) {
+  core::TexturePtr compile_fresh(const TextureDesc& texture) {
     // A patterned texture is never layered: the grammar refuses it.
-    if (texture.layers.back().is_patterned())
-      return compile_patterned(texture.layers.back(), outer);
+    if (texture.layers.back().is_patterned()) return compile_patterned(texture.layers.back());
     std::vector<core::TextureLayer> layers;
     if (settings.quality <= kUnlitQuality) {
       // Of layers stock shows the bottom one.
-      auto pigment = core::make_opaque_pigment(compile(texture.layers.front().pigment, outer));
+      auto pigment = core::make_opaque_pigment(compile(texture.layers.front().pigment));
       layers.push_back({std::move(pigment), unlit_finish(), nullptr});
       return std::make_shared<core::LayeredTexture>(std::move(layers));
     }
-    for (const TextureLayerDesc& layer : texture.layers)
-      layers.push_back(compile_layer(layer, outer));
+    for (const TextureLayerDesc& layer : texture.layers) layers.push_back(compile_layer(layer));
     return std::make_shared<core::LayeredTexture>(std::move(layers));
   }
 };
@@ -364,23 +385,27 @@ std::shared_ptr<const core::Texture> TextureCompiler::texture(const Ref<TextureD
                                                               const Ref<TextureDesc>& fallback) {
   const Ref<TextureDesc>& desc = texture ? texture : fallback;
   if (m_impl->is_plain(*desc)) return m_impl->compile_plain(desc->layers.front());
-  return m_impl->textures.get(desc, [&] {
-    return m_impl->counted([&] { return m_impl->compile_fresh(*desc, core::Placement()); });
-  });
+  return m_impl->textures.get(
+      desc, [&] { return m_impl->counted([&] { return m_impl->compile_fresh(*desc); }); });
 }
 
 std::vector<core::TexturePtr> TextureCompiler::take_textures() { return std::move(m_impl->made); }
 
 void TextureCompiler::forget_unused() {
-  m_impl->textures.forget_unused();  // they refer to the others
+  // What refers to others comes before them.
+  m_impl->textures.forget_unused();
+  m_impl->texture_maps.forget_unused();
   m_impl->pigments.forget_unused();
+  m_impl->pigment_maps.forget_unused();
   m_impl->normals.forget_unused();
+  m_impl->normal_maps.forget_unused();
+  m_impl->slope_maps.forget_unused();
   m_impl->finishes.forget_unused();
   m_impl->colour_maps.forget_unused();
 }
 
 std::shared_ptr<const core::Pigment> TextureCompiler::pigment(const Ref<PigmentDesc>& pigment) {
-  return m_impl->compile(pigment, core::Placement());
+  return m_impl->compile(pigment);
 }
 
 std::shared_ptr<const core::NormalPerturbation> TextureCompiler::normal(
@@ -402,8 +427,8 @@ std::shared_ptr<const core::Interior> TextureCompiler::interior(const Ref<Interi
 std::shared_ptr<const core::Medium> TextureCompiler::medium(const Ref<MediaDesc>& medium) {
   if (m_impl->settings.quality < kMediaQuality) return nullptr;
   return m_impl->media.get(medium, [&] {
-    return compile_medium(*medium, m_impl->settings.media, [this](const Ref<PigmentDesc>& density) {
-      return m_impl->compile_fresh(*density, core::Placement());
+    return compile_medium(*medium, m_impl->settings.media, [this](const DensityDesc& density) {
+      return m_impl->compile_density(density);
     });
   });
 }

@@ -2,6 +2,7 @@
 #include <array>
 
 #include "core/function/function.h"
+#include "parser/compile/density_reader.h"
 #include "parser/compile/pattern_compiler.h"
 #include "parser/compile/picture_reader.h"
 #include "parser/grammar/helpers.h"
@@ -91,8 +92,9 @@ Ref<FunctionDesc> parse_pattern_function(Parser& parser, MaterialContext& contex
         TextureCompiler compiler(settings);
         return compiler.pigment(inner);
       },
-      [&](const ImageDesc& image) { return PictureReader(not_yet).get(image, false); }};
-  auto placed = compile_placed(pigment->pattern, core::Placement(), build);
+      [&](const ImageDesc& image) { return PictureReader(not_yet).get(image, false); },
+      [](const FoundFile& file) { return parser::read_density_file(file); }};
+  auto placed = compile_placed(pigment->pattern, build);
   desc->function = std::make_shared<PatternFunction>(std::move(placed), first_of(not_yet));
   return desc;
 }

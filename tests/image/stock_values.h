@@ -71,8 +71,8 @@ inline std::vector<double> our_values(const std::string& pigment) {
   const LooksText read("pigment { " + pigment + " }");
   const TextureSettings settings;
   std::set<std::string> not_yet;
-  const PatternBuild build{settings, not_yet, nullptr, nullptr};
-  const core::PlacedPattern pattern = compile_placed(read.pattern(), core::Placement(), build);
+  const PatternBuild build{settings, not_yet, nullptr, nullptr, nullptr};
+  const core::PlacedPattern pattern = compile_placed(read.pattern(), build);
   EXPECT_TRUE(not_yet.empty());
   std::vector<double> values;
   for (const core::Vec3& point : sample_points())

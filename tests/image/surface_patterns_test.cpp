@@ -86,6 +86,54 @@ const SurfacePatternsCase kSurfacePatternsCases[] = {
     {"aoi", "sphere { 0, 1 pigment { aoi color_map { Steep } } }"},
     {"aoi_shadow",
      "sphere { 0, 1 pigment { aoi color_map { [.5 rgbt <1,0,0,.2>] [1 rgbt <1,1,0,1>] } } }"},
+    // A layer's pigment sees the normal that the layer itself makes.
+    {"slope_own_bumps",
+     "sphere { 0, 1 pigment { slope y color_map { Steep } } normal { bumps .8 scale .3 } }"},
+    {"slope_own_bumps_turned",
+     "sphere { 0, 1 texture { pigment { slope { <1,2,-1>, .2, .8 } color_map { Steep } }"
+     " normal { wrinkles .9 scale <.2,.5,1> rotate 40 } rotate 30*z } scale <1,.7,1.2> }"},
+    {"slope_own_bumps_in_layers",
+     "box { -.8, .8 texture { pigment { slope y color_map { [.3 rgb x] [.9 rgb y] } }"
+     " normal { dents .7 scale .2 } }"
+     " texture { pigment { slope { y, .3, .9 } color_map { [.4 rgbt 1] [.6 rgbt <1,1,1,.3>] } } }"
+     " texture { pigment { slope { x } color_map { [.4 rgbt 1] [.6 rgbt <0,1,1,.5>] } }"
+     " normal { granite .6 scale .4 } } rotate 30 }"},
+    {"slope_own_bumps_in_a_map",
+     "torus { .7, .4 texture { gradient x texture_map {"
+     " [.3 pigment { slope y color_map { Steep } } normal { bumps .6 scale .2 }]"
+     " [.7 pigment { slope x color_map { Steep } } normal { ripples .8 frequency 9 }] }"
+     " scale 1.5 rotate 25*y } rotate -50*x }"},
+    {"slope_above_in_a_turned_map",
+     "#declare Two = texture { pigment { slope y color_map { Steep } } }"
+     " texture { pigment { slope x color_map { [.3 rgbt <1,0,0,.2>] [.6 rgbt 1] } }"
+     " normal { bumps .6 scale .2 } }"
+     " sphere { 0, 1 texture { gradient x texture_map { [.5 Two] [.5 Two] } rotate <20,30,40> } }"},
+    {"slope_own_bumps_average",
+     "sphere { 0, 1 pigment { average pigment_map { [1 slope x color_map { Steep }]"
+     " [2 checker rgb 1 rgb 0 scale .3] } } normal { average normal_map {"
+     " [1 bumps .8 scale .2] [1 gradient y .7 scale .4] } } }"},
+    {"slope_own_bumps_isosurface",
+     "isosurface { function { y + .2*sin(x*5)*cos(z*4) } contained_by { box { -1, 1 } }"
+     " max_gradient 2 pigment { slope { -y, .02, .5 } color_map { Steep } }"
+     " normal { wrinkles .5 scale .1 } }"},
+    {"slope_own_bumps_csg",
+     "difference { sphere { 0, 1 } box { <-.4,-.3,-2>, <.4,1.2,2>"
+     " pigment { slope { y*2, 0, .9 altitude y, -1, 1 } color_map { Steep } }"
+     " normal { dents .9 scale .15 } }"
+     " pigment { slope z color_map { Steep } } normal { bumps .5 scale .1 } rotate 20*y }"},
+    {"slope_facets",
+     "sphere { 0, 1 pigment { slope y color_map { Steep } } normal { facets coords .3 } }"},
+    {"slope_own_bumps_shadow",
+     "sphere { 0, 1 pigment { slope y color_map { [0 rgbt <1,0,0,.1>] [.5 rgbt <1,1,0,.9>]"
+     " [1 rgbt <0,0,1,.2>] } } normal { bumps 1 scale .3 } }"},
+    {"slope_own_bumps_mirror",
+     "sphere { 0, 1 pigment { slope y color_map { Steep } } normal { bumps .6 scale .3 }"
+     " finish { reflection .5 metallic reflection { .3 metallic } } }"},
+    {"aoi_own_bumps",
+     "sphere { 0, 1 pigment { aoi color_map { Steep } } normal { bumps .7 scale .2 } }"},
+    {"aoi_uv_bump_map",
+     "sphere { 0, 1 uv_mapping pigment { aoi color_map { [.5 rgb x] [1 rgb y] } }"
+     " normal { bump_map { function 40, 20 { .5 + .5*sin(x*60)*cos(y*40) } bump_size 3 } } }"},
     {"irid", "sphere { 0, 1 pigment { rgb .6 } finish { irid { .6 thickness .4 } phong .6 } }"},
     {"irid_turbulent",
      "sphere { 0, 1 pigment { rgb .6 } finish { diffuse .8 irid { .35 thickness .3 turbulence .7 }"

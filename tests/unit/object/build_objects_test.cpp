@@ -17,7 +17,7 @@ const core::Csg& csg(const core::Object& object) { return dynamic_cast<const cor
 core::Colour colour_at(const core::Object& object, const Vec3& p) {
   core::WeightedTextures found;
   object.attributes().texture->resolve(p, core::kNoSurface, 1.0, found);
-  return found.at(0).texture->layers().at(0).pigment->colour(p);
+  return found[0].texture->layers().at(0).pigment->colour(p);
 }
 
 TEST(UnitBuildObjects, BoundsFollowTransforms) {
