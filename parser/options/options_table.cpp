@@ -48,15 +48,16 @@ void set_all_consoles(Options& o, const Given& g) {
   if (g.sign != 0 && !g.value.empty()) o.all_file = g.value;
   o.all_console = truth(o, g);
 }
-/// A name; `true` for the stream's usual one.
+/// A name; the stream's usual one for what says on, as in stock.
 template <std::string Options::*file, Word usual>
 void set_stream_file(Options& o, const Given& g) {
-  const bool is_usual = g.value.empty() || says_on(g.value);
-  o.*file = is_usual ? usual.text : says_off(g.value) ? "" : g.value;
+  const SwitchWord word = switch_word(g.value);
+  o.*file = word.on ? usual.text : word.is_whole ? "" : g.value;
 }
 void set_create_ini(Options& o, const Given& g) {
-  o.create_ini = g.sign != '-' && !says_off(g.value);
-  o.ini_file = says_on(g.value) ? "" : g.value;
+  const SwitchWord word = switch_word(g.value);
+  o.create_ini = g.sign != '-' && (word.on || !word.is_whole);
+  o.ini_file = word.is_whole ? "" : g.value;
 }
 
 /// +A and +A0.2 turn it on, -A and -A0.2 off; the number is kept either way.

@@ -137,8 +137,8 @@ void parse_alone(Run& run, const Picture& what, const std::atomic<bool>& cancel)
   refuse_if_strict(o, report.not_rendered);
   if (o.dump) std::puts(dump.c_str());
   if (!o.verbose) return;
-  std::fprintf(stderr, "Parsed: %zu objects and lights, %zu warnings, %.3f s\n", objects,
-               diagnostics.warnings().size(), seconds);
+  std::fprintf(stderr, "Parsed: %zu objects and lights, %zu warnings, %.3f s; no picture is made\n",
+               objects, diagnostics.warnings().size(), seconds);
 }
 
 /// The picture's files are known as soon as the scene is read, and those of one that cannot be read

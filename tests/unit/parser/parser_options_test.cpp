@@ -526,7 +526,7 @@ TEST_F(UnitParserOptions, OddBooleansAreOffWithAWarning) {
   const RenderOptions o = read({"Lenticular=maybe"});
   EXPECT_FALSE(o.lenticular);
   ASSERT_EQ(o.warnings.size(), 1u);
-  EXPECT_NE(o.warnings[0].find("neither on nor off"), std::string::npos);
+  EXPECT_NE(o.warnings[0].find("neither on nor off, taken as off"), std::string::npos);
 }
 
 TEST_F(UnitParserOptions, IncludeIniReadsAFileAtItsPlace) {
