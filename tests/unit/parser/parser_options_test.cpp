@@ -326,7 +326,7 @@ TEST_F(ErrorParserOptions, BadValues) {
   expect_message({"+I"}, "a name is expected");
   expect_message({"+L"}, "a folder is expected");
   expect_message({"+FX"}, "unknown output type");
-  expect_message({"File_Gamma=0"}, "greater than 0");
+  expect_message({"File_Gamma=0"}, "from 0.001 to 6250");
   expect_message({"Lens_Pitch=-1"}, "greater than 0");
   expect_message({"Lens_IOR=0.5"}, "at least 1");
   expect_message({"Lens_Pixels=0.5"}, "at least one pixel");
