@@ -337,8 +337,9 @@ void save_photons(Run& run, const PhotonRun& photons, const parser::Files& files
         "the photons are not saved: with Scene_Writes=memory a scene leaves no files behind");
   }
   if (!files.may_write(photons.file())) {
-    return run.warnings.tell("the photons are not saved: '" + photons.file() +
-                             "' cannot be written");
+    const std::string why = core::why_not_writable(photons.file());
+    return run.warnings.tell("the photons are not saved: " +
+                             (!why.empty() ? why : "'" + photons.file() + "' cannot be written"));
   }
   if (const std::string trouble = photons.save(); !trouble.empty()) run.warnings.tell(trouble);
 }
@@ -419,6 +420,11 @@ Status make_picture(Run& run, const Picture& what, const std::atomic<bool>& canc
   find_scene(run, what, cancel);
   Session& session = *what.kept->session;
   check_outputs(run);  // now that all inputs are known
+  if (renders(o) && !run.output.empty()) {
+    const camera::Camera& camera = run.camera.camera();
+    core::check_fits(run.output, image_format(o, run.type, session.scene().settings()),
+                     camera.width(), camera.height());
+  }
   if (what.is_read) what.is_read();
   run.warnings.say();
   refuse_if_strict(o, session.not_rendered());
