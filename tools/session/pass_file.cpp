@@ -73,9 +73,11 @@ std::optional<Identity> PassFile::earlier(const std::string& picture) {
   return std::nullopt;
 }
 
-void PassFile::forget(const std::string& picture) {
-  forget_passes(passes_path(picture));
-  forget_passes(passes_path(picture) + ".part");
+void PassFile::forget() const {
+  for (const std::string& path : {m_path, m_part}) {
+    remove_taken(m_file, path);
+    forget_passes(path);
+  }
 }
 
 void PassFile::go_on() {

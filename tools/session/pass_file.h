@@ -34,8 +34,8 @@ class PassFile final : public core::PassLedger {
 
   /// What the passes depend on that an earlier run began. Empty: there are none.
   static std::optional<Identity> earlier(const std::string& picture);
-  /// Nothing is kept of that picture's passes any more.
-  static void forget(const std::string& picture);
+  /// Nothing is kept of the picture's passes any more.
+  void forget() const;
   /// Continues what there is. Throws if that is of something else, or if another run is at it.
   void go_on();
 

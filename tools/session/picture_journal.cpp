@@ -278,6 +278,7 @@ void PictureJournal::finish(bool say_so) {
     m_whole = 0;
     write(start_text(m_identity, true));
   }
+  if (!say_so) remove_taken(m_file, m_path);
   if (m_file >= 0) ::close(m_file);
   m_file = -1;
   m_is_off = true;
