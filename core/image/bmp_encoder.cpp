@@ -1,7 +1,6 @@
 // Windows bitmaps of 24 bits, or of 32 with alpha. Rows stand in the file from the lowest to the top one, each a
 // whole number of 4 bytes. Source: the format's header BITMAPINFOHEADER; measured on stock.
 #include <cstdint>
-#include <stdexcept>
 #include <vector>
 
 #include "core/image/byte_file.h"
@@ -19,8 +18,6 @@ class BmpEncoder final : public PictureEncoder {
         m_channels(spec.channels),
         m_row((std::uint64_t{spec.width} * static_cast<std::uint64_t>(spec.channels) + 3) / 4 * 4) {
     const std::uint64_t pixels = m_row * spec.height;
-    if (kHead + pixels > UINT32_MAX)
-      throw std::runtime_error("the picture is too large for a BMP file");
     std::vector<std::uint8_t> head{'B', 'M'};
     put_little(head, kHead + pixels, 4);
     put_little(head, 0, 4);

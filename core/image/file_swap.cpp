@@ -108,6 +108,15 @@ void check_writable(const fs::path& wanted) {
   }
 }
 
+std::string why_not_writable(const fs::path& path) {
+  try {
+    check_writable(path);
+    return {};
+  } catch (const ImageError& error) {
+    return error.what();
+  }
+}
+
 namespace {
 
 /// Temporary files there are. Process-wide: who ends the program in the middle of its work, on a signal or for want

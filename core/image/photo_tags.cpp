@@ -16,6 +16,7 @@ namespace lentray::core {
 namespace {
 
 enum Tag : std::uint16_t {
+  kNewSubfileType = 254,
   kOrientation = 274,
   kXResolution = 282,
   kYResolution = 283,
@@ -53,10 +54,23 @@ void take_exif(std::string_view bytes, PhotoTags& tags) {
   }
 }
 
+int pages_of(TiffTags& file) {
+  constexpr std::uint64_t kSmallCopy = 1, kMask = 4;
+  constexpr int kMost = 10000;  // a circle in a broken file
+  int pages = 0;
+  std::uint64_t at = file.first();
+  for (int i = 0; i < kMost && at != 0; ++i, at = file.next(at)) {
+    const std::uint64_t kind = file.number(at, kNewSubfileType).value_or(0);
+    if (i == 0 || (kind & (kSmallCopy | kMask)) == 0) ++pages;
+  }
+  return pages;
+}
+
 PhotoTags tags_of_tiff(std::istream& file) {
   PhotoTags tags;
   TiffTags block(file);
   take_directory(block, tags);
+  tags.pages = pages_of(block);
   tags.profile = block.bytes(block.first(), kProfile).value_or("");
   return tags;
 }

@@ -24,6 +24,7 @@ struct PhotoTags {
   std::optional<Chromaticities>
       chromaticities;  ///< of PNG, which has neither profile nor sRGB's mark
   bool is_jpeg = false;
+  int pages = 1;                    ///< of TIFF: its pictures, small copies and masks aside
   std::string description;          ///< of JPEG
   double dpi_x = 0.0, dpi_y = 0.0;  ///< of JPEG; 0: unknown
 };

@@ -5,7 +5,6 @@
 #include <cmath>
 #include <cstdint>
 #include <cstring>
-#include <stdexcept>
 #include <string_view>
 #include <vector>
 
@@ -15,7 +14,6 @@
 namespace lentray::core {
 namespace {
 
-constexpr std::uint32_t kMostPixels = 65535;  ///< a side
 constexpr std::size_t kLongestPacket = 128;
 
 class TargaEncoder final : public PictureEncoder {
@@ -24,9 +22,6 @@ class TargaEncoder final : public PictureEncoder {
       : m_file(path, spec.spare, spec.count), m_spec(spec),
         m_channels(static_cast<std::size_t>(spec.channels)),
         m_in_runs(spec.type == FileType::compressed_targa) {
-    if (spec.width > kMostPixels || spec.height > kMostPixels) {
-      throw std::runtime_error("a side of a Targa file has 65535 pixels at most");
-    }
     std::vector<std::uint8_t> head{0, 0, static_cast<std::uint8_t>(m_in_runs ? 10 : 2)};
     put_little(head, 0, 9);  // no palette, no offset
     put_little(head, spec.width, 2);

@@ -17,6 +17,8 @@ enum Type : std::uint16_t {
   kLong8 = 16
 };
 
+constexpr std::uint64_t kMostEntries = 4096;  // more: a broken file
+
 /// 0: a type that is not asked for.
 int size_of_type(std::uint16_t type) {
   switch (type) {
@@ -50,12 +52,18 @@ std::uint64_t TiffTags::value(std::uint64_t at, int size) {
   return m_is_big_endian ? big_endian(bytes) : little_endian(bytes);
 }
 
+std::uint64_t TiffTags::next(std::uint64_t directory) {
+  const std::uint64_t head = m_is_wide ? 8 : 2, entry_size = m_is_wide ? 20 : 12;
+  const std::uint64_t count = value(directory, static_cast<int>(head));
+  if (count > kMostEntries) return 0;
+  return value(directory + head + count * entry_size, m_is_wide ? 8 : 4);
+}
+
 std::optional<TiffTags::Entry> TiffTags::find(std::uint64_t directory, std::uint16_t tag) {
   if (directory == 0) return std::nullopt;
   const int wide = m_is_wide ? 8 : 4, head = m_is_wide ? 8 : 2;
   const std::uint64_t entry_size = m_is_wide ? 20 : 12;
-  constexpr std::uint64_t kMost = 4096;  // a broken file
-  const std::uint64_t count = std::min(value(directory, head), kMost);
+  const std::uint64_t count = std::min(value(directory, head), kMostEntries);
   for (std::uint64_t i = 0; i < count; ++i) {
     const std::uint64_t at = directory + static_cast<std::uint64_t>(head) + i * entry_size;
     if (value(at, 2) != tag) continue;

@@ -16,6 +16,8 @@ class TiffTags {
   explicit TiffTags(std::istream& file);
   /// Where the first directory is; 0: this is no such file.
   std::uint64_t first() const { return m_first; }
+  /// Where the directory behind that one is; 0: there is none.
+  std::uint64_t next(std::uint64_t directory);
 
   /// A whole number of the directory there.
   std::optional<std::uint64_t> number(std::uint64_t directory, std::uint16_t tag);

@@ -30,6 +30,42 @@ void check_size(std::uint32_t width, std::uint32_t height, std::size_t values, s
   }
 }
 
+/// Why a file of that kind does not hold the picture; empty: it does.
+std::string over_limit(const PictureSpec& spec) {
+  const auto beyond_side = [&](const char* kind, std::uint32_t most) {
+    if (spec.width <= most && spec.height <= most) return std::string();
+    return std::string(kind) + " file has at most " + std::to_string(most) + " pixels a side";
+  };
+  constexpr std::uint32_t kMostJpeg = 65500;  // of libjpeg, which ends the program beyond
+  constexpr std::uint32_t kMostTarga = 65535;
+  constexpr std::uint64_t kMostBmp = UINT32_MAX, kBmpHead = 14 + 40;
+  switch (spec.type) {
+    case FileType::jpeg: return beyond_side("a JPEG", kMostJpeg);
+    case FileType::targa:
+    case FileType::compressed_targa: return beyond_side("a Targa", kMostTarga);
+    case FileType::bmp: {
+      const std::uint64_t row =
+          (std::uint64_t{spec.width} * static_cast<std::uint64_t>(spec.channels) + 3) / 4 * 4;
+      if (row * spec.height <= kMostBmp - kBmpHead) return {};
+      return "a BMP file has less than 4 GB of pixels";
+    }
+    case FileType::png:
+    case FileType::tiff:
+    case FileType::exr:
+    case FileType::ppm:
+    case FileType::radiance: break;
+  }
+  return {};
+}
+
+void check_fits(const fs::path& path, const PictureSpec& spec) {
+  const std::string why = over_limit(spec);
+  if (why.empty()) return;
+  throw ImageError("cannot write " + shown_place(path) + ": " + why + ", and the picture has " +
+                   std::to_string(spec.width) + " x " + std::to_string(spec.height) +
+                   "; PNG, TIFF and PPM files hold larger ones");
+}
+
 std::unique_ptr<PictureEncoder> make_encoder(const fs::path& path, const PictureSpec& spec) {
   switch (spec.type) {
     case FileType::png:
@@ -52,6 +88,7 @@ class OpenPicture {
  public:
   OpenPicture(const fs::path& path, const PictureSpec& spec)
       : m_path(path), m_height(spec.height), m_swap(path) {
+    check_fits(path, spec);
     guard([&] { m_encoder = make_encoder(m_swap.temporary(), spec); });
   }
 
@@ -175,6 +212,11 @@ std::string extension_of(FileType type) {
   const auto* row = std::find_if(std::begin(kExtensions), std::end(kExtensions),
                                  [&](const Extension& e) { return e.type == type; });
   return std::string(row->text);
+}
+
+void check_fits(const fs::path& path, const ImageFormat& format, std::uint32_t width,
+                std::uint32_t height) {
+  check_fits(path, spec_of(width, height, format, {}, path, nullptr));
 }
 
 struct PictureWriter::Parts {

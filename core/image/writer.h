@@ -77,6 +77,13 @@ std::string extension_of(FileType type);
 /// Throws ImageError if a picture of that size could not be put there: no folder, no
 /// permission, a folder of that name, or a size of 0. To be asked before rendering.
 void check_writable(const std::filesystem::path& path);
+/// What check_writable() says of it; empty: nothing.
+std::string why_not_writable(const std::filesystem::path& path);
+
+/// Throws ImageError if a file of that format holds no picture of that size: JPEG and Targa have a limit for each
+/// side, BMP for the bytes of all. To be asked before rendering.
+void check_fits(const std::filesystem::path& path, const ImageFormat& format, std::uint32_t width,
+                std::uint32_t height);
 
 /// A picture that comes in bands of rows, from the top. Little more than a band is in memory.
 /// Destroyed before finish() it leaves nothing behind. One call at a time, from any thread.

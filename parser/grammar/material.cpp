@@ -16,12 +16,13 @@ core::Colour filter_as_transmit(const core::Colour& colour) {
   return {colour.rgb, 0.0f, colour.transmit + colour.filter};
 }
 
+/// As in stock, its maps change wherever they are used. So these are changed although others refer to them.
 Ref<PigmentDesc> filter_as_transmit(const Ref<PigmentDesc>& pigment) {
   auto copy = std::make_shared<PigmentDesc>(*pigment);
   copy->colour = filter_as_transmit(pigment->colour);
-  const auto change = [](auto& map) {
+  const auto change = []<typename Map>(const std::shared_ptr<const Map>& map) {
     if (!map) return;
-    for (auto& entry : edit(map).entries) entry.item = filter_as_transmit(entry.item);
+    for (auto& entry : const_cast<Map&>(*map).entries) entry.item = filter_as_transmit(entry.item);
   };
   change(copy->colour_map);
   change(copy->pigment_map);

@@ -137,9 +137,10 @@ bool accept_own_word(Parser& parser, PatternDesc& p) {
 }
 
 bool accept_noise_word(Parser& parser, PatternDesc& p) {
-  if (!parser.accept(Keyword::kNoiseGenerator, p.noise_generator)) return false;
-  if (p.noise_generator < 0 || p.noise_generator > 3)
-    parser.fail("noise_generator is 0, 1, 2 or 3");
+  int generator = 0;
+  if (!parser.accept(Keyword::kNoiseGenerator, generator)) return false;
+  if (generator < 0 || generator > 3) parser.fail("noise_generator is 0, 1, 2 or 3");
+  p.noise_generator |= generator;  // as in stock: 1 and then 2 give 3, in a copy too
   return true;
 }
 

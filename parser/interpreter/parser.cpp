@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "core/image/writer.h"
 #include "parser/base/shown.h"
 #include "parser/interpreter/interpreter.h"
 
@@ -213,7 +214,9 @@ void Parser::check_writable(const std::string& name, const Location& where) {
   m_impl->in.check_file_name(name, where);
   const bool may =
       m_impl->in.ask_files(where, [&](const Files& files) { return files.may_write(name); });
-  if (!may) fail_at(where, "cannot open '" + shown_name(name) + "' for writing");
+  if (may) return;
+  const std::string why = core::why_not_writable(name);
+  fail_at(where, !why.empty() ? why : "cannot open '" + shown_name(name) + "' for writing");
 }
 
 void Parser::finish() { m_impl->in.files.finish(); }

@@ -1,6 +1,5 @@
 #include "parser/options/create_ini.h"
 
-#include <algorithm>
 #include <filesystem>
 
 #include "parser/options/options_table.h"
@@ -18,17 +17,6 @@ std::string lines(const RenderOptions& o, Use... uses) {
   return out.take();
 }
 
-/// A line's end, or another control character, in a value would make lines of its own.
-void refuse_other_lines(std::string_view name, const std::string& text, std::size_t lines) {
-  const auto is_control = [](char c) { return static_cast<unsigned char>(c) < ' ' && c != '\t'; };
-  const auto found = static_cast<std::size_t>(std::ranges::count_if(text, is_control));
-  if (found == lines) return;
-  throw OptionError(
-      "Create_Ini: the value of " + std::string(name) +
-      " has a line's end or another control character, which an INI file cannot hold: "
-      "leave out Create_Ini, or give the file another name");
-}
-
 }  // namespace
 
 using enum OptionUse;
@@ -37,10 +25,12 @@ std::string ini_text(const RenderOptions& o) {
   IniLines out;
   for (const OptionRow& row : option_table()) {
     if (!row.access.write || row.use == kNothing) continue;
-    IniLines one;
-    row.access.write(o, row.name, one);
-    refuse_other_lines(row.name, one.take(), one.count());
     row.access.write(o, row.name, out);
+    if (out.are_held()) continue;
+    throw OptionError(
+        "Create_Ini: the value of " + std::string(row.name) +
+        " has characters which an INI file cannot hold, such as a line's end, or "
+        "quotes of both kinds beside ; or #: leave out Create_Ini, or say it otherwise");
   }
   return out.take();
 }

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
-#include <initializer_list>
 #include <string_view>
 #include <vector>
 
@@ -13,8 +12,13 @@
 namespace lentray::parser {
 namespace {
 
-bool is_among(std::string_view text, std::initializer_list<const char*> words) {
-  return std::ranges::any_of(words, [&](const char* word) { return same_word(text, word); });
+constexpr std::string_view kOnWords[] = {"true", "yes", "on", "1"};
+constexpr std::string_view kOffWords[] = {"false", "no", "off", "0"};
+
+/// Alike as far as the shorter one goes.
+bool begin_alike(std::string_view a, std::string_view b) {
+  const std::size_t shorter = std::min(a.size(), b.size());
+  return same_word(a.substr(0, shorter), b.substr(0, shorter));
 }
 
 }  // namespace
@@ -29,17 +33,31 @@ void refuse(const GivenOption& given, const std::string& why) {
   throw OptionError(given.where + "option " + given.shown + ": " + why);
 }
 
-bool says_on(std::string_view text) { return is_among(text, {"true", "yes", "on", "1"}); }
-bool says_off(std::string_view text) { return is_among(text, {"false", "no", "off", "0"}); }
+SwitchWord switch_word(std::string_view text) {
+  const auto is_one_of = [&](std::span<const std::string_view> words, auto compare) {
+    return std::ranges::any_of(words, [&](std::string_view word) { return compare(text, word); });
+  };
+  const auto is_beginning = [](std::string_view beginning, std::string_view word) {
+    return beginning.size() <= word.size() && begin_alike(beginning, word);
+  };
+  SwitchWord out;
+  out.on = is_one_of(kOnWords, begin_alike);
+  out.is_whole = is_one_of(out.on ? kOnWords : kOffWords, same_word);
+  // "o" begins on and off.
+  const bool begins_on = is_one_of(kOnWords, is_beginning);
+  const bool begins_off = is_one_of(kOffWords, is_beginning);
+  out.is_clear = begins_on != begins_off;
+  return out;
+}
 
 bool truth(RenderOptions& options, const GivenOption& given) {
   if (given.sign != 0) return given.sign == '+';
-  if (says_on(given.value)) return true;
-  if (says_off(given.value)) return false;
-  // As in stock, whatever is not on is off; that deserves a word.
-  options.warnings.push_back(given.where + "option " + given.shown +
-                             ": neither on nor off, taken as off");
-  return false;
+  const SwitchWord word = switch_word(given.value);
+  if (!word.is_clear) {
+    options.warnings.push_back(given.where + "option " + given.shown +
+                               ": neither on nor off, taken as " + (word.on ? "on" : "off"));
+  }
+  return word.on;
 }
 
 std::int64_t whole_number(const GivenOption& given, std::int64_t least, std::int64_t most) {

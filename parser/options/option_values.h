@@ -26,9 +26,16 @@ struct GivenOption {
 GivenOption part_of(const GivenOption& given, std::string text);
 
 [[noreturn]] void refuse(const GivenOption& given, const std::string& why);
-bool says_on(std::string_view text);
-bool says_off(std::string_view text);
-bool truth(RenderOptions& options, const GivenOption& given);  ///< of a switch: its sign
+/// What a word says to a switch, as stock takes it: on is what begins true, yes, on or 1, or begins with one of them,
+/// letter case ignored, so nothing at all too; the rest is off.
+struct SwitchWord {
+  bool on = false;
+  bool is_whole = false;  ///< it is one of true, yes, on, 1, false, no, off and 0
+  bool is_clear = false;  ///< it is one of these or the beginning of one, but not of both kinds
+};
+SwitchWord switch_word(std::string_view text);
+/// Of a switch its sign, else what the word says. A warning names a word that is not clear.
+bool truth(RenderOptions& options, const GivenOption& given);
 std::int64_t whole_number(const GivenOption& given, std::int64_t least, std::int64_t most);
 /// A finite number, if the text is one.
 std::optional<double> number_in(std::string_view text);

@@ -414,6 +414,7 @@ Renders POV-Ray scenes, also as integral images for lenticular sheets. Options
 are POV-Ray's, with the same spelling and meaning: Name=Value or a switch, on
 the command line or in INI files. Later ones override earlier ones; letter case
 of names does not matter; a value in brackets is what holds without the option.
+on|off takes true, yes and 1, false, no and 0 as well, and their beginnings.
 Called as povray, it answers --version and --help as POV-Ray does, and what it
 says has POV-Ray's form (Stock_Messages).
 )";

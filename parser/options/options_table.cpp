@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cctype>
-#include <charconv>
 #include <cmath>
 #include <limits>
 #include <utility>
@@ -48,15 +47,16 @@ void set_all_consoles(Options& o, const Given& g) {
   if (g.sign != 0 && !g.value.empty()) o.all_file = g.value;
   o.all_console = truth(o, g);
 }
-/// A name; `true` for the stream's usual one.
+/// A name; the stream's usual one for what says on, as in stock.
 template <std::string Options::*file, Word usual>
 void set_stream_file(Options& o, const Given& g) {
-  const bool is_usual = g.value.empty() || says_on(g.value);
-  o.*file = is_usual ? usual.text : says_off(g.value) ? "" : g.value;
+  const SwitchWord word = switch_word(g.value);
+  o.*file = word.on ? usual.text : word.is_whole ? "" : g.value;
 }
 void set_create_ini(Options& o, const Given& g) {
-  o.create_ini = g.sign != '-' && !says_off(g.value);
-  o.ini_file = says_on(g.value) ? "" : g.value;
+  const SwitchWord word = switch_word(g.value);
+  o.create_ini = g.sign != '-' && (word.on || !word.is_whole);
+  o.ini_file = word.is_whole ? "" : g.value;
 }
 
 /// +A and +A0.2 turn it on, -A and -A0.2 off; the number is kept either way.
@@ -126,8 +126,13 @@ void add_declare(Options& o, const Given& g) {
 
 template <bool Options::*srgb, double Options::*power>
 void set_gamma(Options& o, const Given& g) {
+  constexpr double kLeast = 0.001,
+                   kMost = 6250.0;  // as stock: below, by its own rule; above, by PNG's
   o.*srgb = same_word(g.value, "sRGB");
-  if (!(o.*srgb)) o.*power = positive(g);
+  if (o.*srgb) return;
+  o.*power = number(g);
+  if (!(o.*power >= kLeast && o.*power <= kMost))
+    refuse(g, "a number from 0.001 to 6250, or sRGB, is expected");
 }
 
 void set_version(Options& o, const Given& g) {
@@ -268,14 +273,20 @@ void set_clock(Options& o, const Given& g) {
   o.clock_given = true;
 }
 constexpr int kMostFrames = 2'000'000'000;
+/// A frame or a part of all. Beyond what frames are counted to there is none that could be meant.
 template <auto member>
-constexpr OptionAccess kFrame = kCut<member, 0, kMostFrames>;
+constexpr OptionAccess kFrame{
+    [](Options& o, const Given& g) {
+      std::string_view rest;
+      if (leading_number(g, rest) > kMostFrames)
+        refuse(g, "a number up to " + std::to_string(kMostFrames) + " is expected");
+      kCut<member, 0, kMostFrames>.apply(o, g);
+    },
+    write_field<member>};
 template <auto member>
 constexpr OptionAccess kClock{
     [](Options& o, const Given& g) { field<member>(o) = cut_number(o, g, -kAnyFloat, kAnyFloat); },
     write_field<member>};
-template <auto member>
-constexpr OptionAccess kSubset = kCut<member, 0, kMostFrames>;
 void set_display(Options&, const Given& g) {
   if (g.sign != 0 && g.value.size() > 2) refuse(g, "unknown switch");
 }
@@ -350,7 +361,7 @@ void write_view_clock(const Options& o, std::string_view name, IniLines& out) {
 template <CommandKind kind>
 void write_command(const Options& o, std::string_view name, IniLines& out) {
   const ShellCommand& command = o.commands[static_cast<std::size_t>(kind)];
-  if (!command.text.empty()) out.line(name, command.text);
+  out.add(name, command.text);
 }
 template <CommandKind kind>
 void write_return(const Options& o, std::string_view name, IniLines& out) {
@@ -393,8 +404,8 @@ constexpr OptionRow kTable[] = {
     {"Final_Frame", "KFF", kFrame<&AnimationOptions::final_frame>, kWay},
     {"Initial_Clock", "KI", kClock<&AnimationOptions::initial_clock>, kWay},
     {"Final_Clock", "KF", kClock<&AnimationOptions::final_clock>, kWay},
-    {"Subset_Start_Frame", "SF", kSubset<&AnimationOptions::subset_start>, kWay},
-    {"Subset_End_Frame", "EF", kSubset<&AnimationOptions::subset_end>, kWay},
+    {"Subset_Start_Frame", "SF", kFrame<&AnimationOptions::subset_start>, kWay},
+    {"Subset_End_Frame", "EF", kFrame<&AnimationOptions::subset_end>, kWay},
     {"Frame_Step", "STP", kCut<&AnimationOptions::step, 1, kMostFrames>, kWay},
     {"Cyclic_Animation", "KC", kFlag<&AnimationOptions::cyclic>, kWay},
     {"Clockless_Animation", "", only_off<"animation without a clock">, kWay},
@@ -618,11 +629,6 @@ constexpr OptionRow kTable[] = {
 };
 
 }  // namespace
-
-std::string IniLines::text_of(double value) {
-  char digits[32];
-  return {digits, std::to_chars(digits, digits + sizeof digits, value).ptr};
-}
 
 std::span<const OptionRow> option_table() { return kTable; }
 

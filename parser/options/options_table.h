@@ -8,43 +8,11 @@
 #include <string_view>
 #include <type_traits>
 
+#include "parser/options/ini_lines.h"
 #include "parser/options/option_values.h"
 #include "parser/options/options.h"
 
 namespace lentray::parser {
-
-/// Lines of an INI file.
-class IniLines {
- public:
-  void line(std::string_view name, std::string_view value) {
-    m_text.append(name).append("=").append(value).append("\n");
-    ++m_count;
-  }
-  void add(std::string_view name, const std::string& value) {
-    if (!value.empty()) line(name, '"' + value + '"');
-  }
-  template <typename Value>
-  requires std::is_arithmetic_v<Value>
-  void add(std::string_view name, Value value) {
-    if constexpr (std::is_same_v<Value, bool>)
-      line(name, value ? "On" : "Off");
-    else
-      line(name, text_of(static_cast<double>(value)));
-  }
-  template <typename Value>
-  void add(std::string_view name, const std::optional<Value>& value) {
-    if (value) add(name, *value);
-  }
-  std::size_t count() const { return m_count; }
-  std::string take() { return std::move(m_text); }
-
-  /// Shortest text that is read as the same number.
-  static std::string text_of(double value);
-
- private:
-  std::string m_text;
-  std::size_t m_count = 0;
-};
 
 using ApplyOption = void (*)(RenderOptions&, const GivenOption&);
 using WriteOption = void (*)(const RenderOptions&, std::string_view name, IniLines&);

@@ -187,6 +187,44 @@ def again(check, chart):
     check("the chart begins anew: this is no state of a chart" in damaged.stderr, f"a damaged state: {damaged.stderr}")
 
 
+def lost_pictures(check, chart):
+    """A picture of the chart's own that is emptied, cut, exchanged or gone is made again, and that one alone."""
+    options = ["--out", "damaged", *SIZE, *FEW, "--only", "exact", "--lentray", chart.program]
+    first = chart.run(*options)
+    check(first.returncode == 0, f"{first.returncode}, {first.stderr}")
+    pictures = chart.folder / "damaged/pictures"
+    whole = {name: (pictures / name).read_bytes() for name in ("plain.png", "order-rows.png", "reference.png", "order-rows-difference.png",
+                                                               "plain-stock.png", "accelerator-grid.png") if (pictures / name).exists()}
+    check(len(whole) >= 4, f"pictures: {list(whole)}")
+    for i, (name, bytes) in enumerate(whole.items()):
+        every = (b"", bytes[:len(bytes) // 2], b"no picture", None)
+        for damage in every if i == 1 else every[i % 4:i % 4 + 1]:
+            path = pictures / name
+            path.unlink()
+            if damage is not None:
+                path.write_bytes(damage)
+            before = len(chart.rendered()) - len(chart.rendered("reference-next"))
+            done = chart.run(*options)
+            made = len(chart.rendered()) - len(chart.rendered("reference-next")) - before
+            check(done.returncode == 0, f"{name}, {damage}: {done.returncode}, {done.stderr}")
+            same = subprocess.run([chart.binaries / "lentray-diff", "--grade", "exact", path, path, "--no-pictures"],
+                                  capture_output=True, text=True, check=False)
+            check(same.returncode == 0, f"{name} is a picture again: {same.stderr}")
+            check(made <= 1, f"{name}: {made} settings were rendered again")
+
+
+def others_files(check, chart):
+    """What stands there and is not of a chart stays."""
+    for name in ("index.html", "chart.csv", "chart.svg", "chart.png"):
+        out = chart.folder / "others"
+        out.mkdir()
+        (out / name).write_text("<p>mine</p>\n")
+        done = chart.run("--out", "others", *SIZE, *FEW, "--only", "exact")
+        check(done.returncode == 1 and f"others/{name}' is not of lentray-chart" in done.stderr, f"{done.returncode}, {done.stderr}")
+        check([p.name for p in out.iterdir()] == [name] and (out / name).read_text() == "<p>mine</p>\n", f"{name} stays")
+        shutil.rmtree(out)
+
+
 def failing_settings(check, chart):
     program = chart.wrapper("lentray-odd", """case "$*" in
   *Accelerator=grid*) echo "lentray: error: there is no grid today" >&2; exit 1 ;;
@@ -330,6 +368,8 @@ def main():
         choices_hold(check, chart, said)
         again(check, chart)
         other = Chart(pathlib.Path(place) / "second", binaries)
+        lost_pictures(check, other)
+        others_files(check, other)
         failing_settings(check, other)
         bare_machine(check, other)
         bar(check, other)

@@ -148,6 +148,10 @@ group("File", """
 Output_File_Name=name
 -F
 Output_to_File=off
+Output_to_File=y
+Output_to_File=ok
+Output_Alpha=tru
+Antialias=t Jitter=off
 +F
 +FN
 +FN16

@@ -139,22 +139,22 @@ def two_outputs(world):
         status, said = world.run("lentray", *render, *words)
         expect(status != 0 and "the file of both" in said, words, status, said)
     # Streams may go to one file, and devices are nobody's.
-    status, said = world.run("lentray", "+Ia.pov", "+W8", "+H6", "-V", "-F", "Debug_File=t", "Render_File=./t", "All_File=/dev/null",
+    status, said = world.run("lentray", "+Ia.pov", "+W8", "+H6", "-V", "-F", "Debug_File=text", "Render_File=./text", "All_File=/dev/null",
                              "Statistics_File=/dev/null", "Dependencies_File=/dev/null")
-    expect(status == 0 and "said" in (world.root / "t").read_text(), "shared", status, said)
+    expect(status == 0 and "said" in (world.root / "text").read_text(), "shared", status, said)
     # What a file of an earlier run held is replaced, or kept with Append_File.
-    world.put("t", "earlier\n")
-    world.run("lentray", "+Ia.pov", "+W8", "+H6", "-V", "-F", "Debug_File=t")
-    expect((world.root / "t").read_text() == "said\n", "replaced", (world.root / "t").read_text())
-    world.run("lentray", "+Ia.pov", "+W8", "+H6", "-V", "-F", "Debug_File=t", "Append_File=On")
-    expect((world.root / "t").read_text() == "said\nsaid\n", "appended", (world.root / "t").read_text())
+    world.put("text", "earlier\n")
+    world.run("lentray", "+Ia.pov", "+W8", "+H6", "-V", "-F", "Debug_File=text")
+    expect((world.root / "text").read_text() == "said\n", "replaced", (world.root / "text").read_text())
+    world.run("lentray", "+Ia.pov", "+W8", "+H6", "-V", "-F", "Debug_File=text", "Append_File=On")
+    expect((world.root / "text").read_text() == "said\nsaid\n", "appended", (world.root / "text").read_text())
     # A scene with an error, or one that never ends, still leaves what it said.
     world.put("error.pov", '#debug "told\\n"\n#error "no"\n')
-    world.run("lentray", "+Ierror.pov", "-V", "-F", "Debug_File=t")
-    expect((world.root / "t").read_text() == "told\n", "after an error", (world.root / "t").read_text())
+    world.run("lentray", "+Ierror.pov", "-V", "-F", "Debug_File=text")
+    expect((world.root / "text").read_text() == "told\n", "after an error", (world.root / "text").read_text())
     world.put("endless.pov", '#debug "begun\\n"\n#while (1) #declare A = 1; #end\n')
-    world.run("lentray", "+Iendless.pov", "-V", "-F", "Debug_File=t", "Max_Time=1s")
-    expect((world.root / "t").read_text() == "begun\n", "after Max_Time", (world.root / "t").read_text())
+    world.run("lentray", "+Iendless.pov", "-V", "-F", "Debug_File=text", "Max_Time=1s")
+    expect((world.root / "text").read_text() == "begun\n", "after Max_Time", (world.root / "text").read_text())
 
 
 def pipes(world):

@@ -215,5 +215,27 @@ TEST(ImagePhotonShooting, AFileThatCannotBeSavedIsAWarning) {
   EXPECT_FALSE(fs::exists(folder / "a.ph"));
 }
 
+/// Of each why.
+TEST(ImagePhotonShooting, PhotonsThatCannotBeSavedSayWhy) {
+  const tool::TemporaryFolder folder;
+  fs::create_directory(folder / "folder");
+  const auto said = [&](const std::string& name, const std::string& before) {
+    tool::write_text(folder / "scene.pov", text_of(kPlain, "save_file \"" + name + "\""));
+    const std::string command =
+        before + "exec \"" + program("lentray").string() + "\" +Iscene.pov +Oa.png +W8 +H6 -D -V";
+    return tool::run_program({"sh", "-c", command}, folder.path(), 60.0).output;
+  };
+  for (const auto& [name, before, why] :
+       {std::array<std::string, 3>{"nowhere/a.ph", "", "the folder 'nowhere' does not exist"},
+        {"folder", "", "a folder has that name"},
+        {"scene.pov/a.ph", "", "'scene.pov' is not a folder"},
+        {"a.ph", "trap '' XFSZ; ulimit -f 8; ", "not saved: cannot write 'a.ph': File too large"},
+        {"/dev/full", "", "not saved: cannot write '/dev/full': No space left on device"}}) {
+    const std::string all = said(name, before);
+    EXPECT_NE(all.find(why), std::string::npos) << all;
+  }
+  EXPECT_FALSE(fs::exists(folder / "a.ph"));
+}
+
 }  // namespace
 }  // namespace lentray::test

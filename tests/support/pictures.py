@@ -106,6 +106,20 @@ def tiff(rows, more=(), order="<"):
     return tiff_block(entries, order) + pixels
 
 
+def more_pages(data, kinds, order="<"):
+    """A TIFF file with a further directory of the same pixels for each kind (NewSubfileType; None: it says none)."""
+    count = struct.unpack(order + "H", data[8:10])[0]
+    entries, link = data[10:10 + 12 * count], 10 + 12 * count
+    for kind in kinds:
+        said = b"" if kind is None else struct.pack(order + "HHII", 254, 4, 1, kind)
+        place = len(data)
+        data = data[:link] + struct.pack(order + "I", place) + data[link + 4:]
+        data += struct.pack(order + "H", count + (kind is not None)) + said + entries
+        link = len(data)
+        data += struct.pack(order + "I", 0)
+    return data
+
+
 def exif(orientation, order=">"):
     return tiff_block([(274, 3, [orientation])], order)
 

@@ -298,6 +298,48 @@ def srgb_stays(bench):
         equal(bench.png("out.png")[:64], rows, before)
 
 
+def pages_of_tiff(bench):
+    """A file of several pages is refused by name, wherever it stands; small copies and masks are no pages."""
+    rows = [[(20, 90, 200)] * 4] * 3
+    bench.write("one.png", pictures.png(rows))
+    out = ("--lens-pixels", "2", "--out", "out.png")
+    for kinds, pages, order in (([None], 2, "<"), ([2, 2], 3, "<"), ([0, None, 0], 4, ">"), ([1, None], 2, "<"),
+                                ([None, 4], 2, ">")):
+        bench.write("more.tif", pictures.more_pages(pictures.tiff(rows, order=order), kinds, order))
+        for given in (("one.png", "more.tif"), ("more.tif", "one.png")):
+            said = bench.views("--interlace", *given, *out, status=1)
+            assert f"'more.tif' has {pages} pages" in said, (kinds, said)
+        for words in (("--quilt", "1x2", "one.png", "more.tif"), ("--wiggle", "one.png", "more.tif"),
+                      ("--anaglyph", "one.png", "more.tif"), ("more.tif", "--views", "0..1", "--lens-pixels", "2")):
+            said = bench.views(*words, "--out", "w.png", status=1)
+            assert f"'more.tif' has {pages} pages" in said, (kinds, words, said)
+    for kinds in ([1], [4], [1, 5], [1, 1, 1], []):
+        bench.write("more.tif", pictures.more_pages(pictures.tiff(rows), kinds))
+        bench.views("--interlace", "one.png", "more.tif", *out)
+
+
+def too_wide_for_jpeg(bench):
+    """Refused by name and limit, with nothing left."""
+    bench.write("one.png", pictures.png([[(20, 90, 200)] * 10] * 2))
+    said = bench.views("--interlace", "one.png", "one.png", "--lens-pixels", "2", "--size", "66000x2", "--out", "wide.jpg", status=1)
+    assert "'wide.jpg'" in said and "65500 pixels a side" in said, said
+    left = [path.name for path in bench.folder.iterdir() if "wide" in path.name]
+    equal(left, [], "files")
+
+
+def pages_of_others(bench):
+    """A preview replaces a preview, and no other page."""
+    bench.sheet("sheet.png", "Lens_Pixels=4", "Lens_LPI=40", "View_Distance=300", "+W40", "+H20")
+    bench.write("index.html", b"<p>mine</p>\n")
+    said = bench.views("sheet.png", "--preview", "index.html", status=1)
+    assert "'index.html' is not of lentray-views" in said, said
+    equal((bench.folder / "index.html").read_bytes(), b"<p>mine</p>\n", "it stays")
+    for text in (b"", None, None):
+        if text is not None:
+            bench.write("index.html", text)
+        bench.views("sheet.png", "--preview", "index.html")
+
+
 def natural_order(bench):
     """Twelve views named by a shell."""
     names = [f"IMG_{i}.png" for i in range(1, 13)]
@@ -425,7 +467,7 @@ def eyes_in_two_zones(bench):
 
 
 CHECKS = [photographs_upright, scenes_stay_as_stored, wide_gamuts, fine_and_grey, profiles_kept, broken_profiles,
-          srgb_stays, natural_order, resized_sheets, sheets_in_jpeg, eyes_in_two_zones]
+          srgb_stays, pages_of_tiff, too_wide_for_jpeg, pages_of_others, natural_order, resized_sheets, sheets_in_jpeg, eyes_in_two_zones]
 
 
 def main():

@@ -5,14 +5,12 @@
 #include <filesystem>
 #include <optional>
 #include <string>
-#include <string_view>
 #include <vector>
 
 namespace lentray::tool {
 
-/// Runs of digits count as numbers; what is alike by that is compared letter by letter.
-bool is_before_naturally(std::string_view a, std::string_view b);
-
+/// In natural order runs of digits count as numbers. A minus is their sign where behind the same text other numbers have a
+/// plus or none: v-1, v0, v1, but frame-1, frame-2. What is alike by that is compared letter by letter.
 /// The files in natural order, if they are in the order that a shell puts them in and that is another one. Else they are
 /// in natural order already, or somebody chose the order: nothing.
 std::optional<std::vector<std::filesystem::path>> natural_order_instead(

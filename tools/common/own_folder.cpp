@@ -10,6 +10,8 @@
 #include <stdexcept>
 #include <system_error>
 
+#include "tools/common/process.h"
+
 namespace lentray::tool {
 namespace {
 
@@ -40,6 +42,24 @@ void refuse_links(const std::filesystem::path& out) {
                              "', that may have come with the scenes: take it away, name another "
                              "folder, or say Restrict_IO=Off");
   }
+}
+
+void refuse_foreign(const std::filesystem::path& file, const std::string& program,
+                    const std::function<bool(const std::filesystem::path&)>& is_ours) {
+  std::error_code none;
+  if (!std::filesystem::is_regular_file(file, none) ||
+      std::filesystem::file_size(file, none) == 0 || is_ours(file))
+    return;
+  throw std::runtime_error("'" + file.string() + "' is not of " + program +
+                           " and would be overwritten: name another place for it, or move it "
+                           "away");
+}
+
+void refuse_foreign_page(const std::filesystem::path& page, const std::string& program) {
+  refuse_foreign(page, program, [&](const std::filesystem::path& file) {
+    return file_bytes(file).find("name=\"generator\" content=\"" + program + "\"") !=
+           std::string::npos;
+  });
 }
 
 void make_folder(const std::filesystem::path& folder, const std::filesystem::path& shown) {

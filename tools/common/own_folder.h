@@ -3,6 +3,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <string>
 
 namespace lentray::tool {
@@ -13,6 +14,12 @@ void make_folder(const std::filesystem::path& folder, const std::filesystem::pat
 /// For outputs of strangers' scenes: throws where the folder holds links, or hard links among the files that programs write
 /// to in place, a manifest and those of an OwnFolder. They may have come with the scenes.
 void refuse_links(const std::filesystem::path& out);
+
+/// Throws where a file of that name stands that has something in it and is not of the program, as `is_ours` says.
+void refuse_foreign(const std::filesystem::path& file, const std::string& program,
+                    const std::function<bool(const std::filesystem::path&)>& is_ours);
+/// Of a page: one of the program says so in its head (PageParts::generator).
+void refuse_foreign_page(const std::filesystem::path& page, const std::string& program);
 
 class OwnFolder {
  public:

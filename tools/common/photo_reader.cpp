@@ -59,9 +59,14 @@ Profiles profiles_in(const parser::GivenOption& given) {
 }
 
 StoredImage PhotoReader::read(const std::filesystem::path& path) {
-  StoredImage image = core::read_image(path);
-  const PhotoTags tags = core::photo_tags(path);
   const std::string name = path.string();
+  const PhotoTags tags = core::photo_tags(path);
+  if (tags.pages > 1) {
+    throw core::ImageError("'" + name + "' has " + std::to_string(tags.pages) +
+                           " pages, where one picture is expected: save each page as a file of its "
+                           "own, and name those");
+  }
+  StoredImage image = core::read_image(path);
   try {
     const std::string profile = tags.profile.empty() ? profile_in_words(tags, image) : tags.profile;
     if (!profile.empty() && image.channels == 3 && image.bits == 8 && tags.is_jpeg &&

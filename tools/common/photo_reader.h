@@ -25,6 +25,7 @@ class PhotoReader {
  public:
   explicit PhotoReader(Profiles profiles = Profiles::kSrgb) : m_profiles(profiles) {}
 
+  /// Refuses a file of several pages: one of them would be used, and the others be missing.
   /// JPEG files get the attributes that those of other formats have: their description and resolution.
   core::StoredImage read(const std::filesystem::path& path);
   /// For whoever looks at the pictures besides.

@@ -3,8 +3,8 @@
 #include <chrono>
 #include <cstdio>
 #include <exception>
-#include <set>
 #include <nlohmann/json.hpp>
+#include <set>
 #include <thread>
 
 #include "core/base/ignored_error.h"
@@ -347,31 +347,10 @@ bool looks_like_rows(const fs::path& file) {
 
 /// The page and the manifest of something else stay.
 void refuse_foreign(const fs::path& out) {
-  constexpr std::string_view kMark = "name=\"generator\" content=\"lentray-batch\"";
-  const auto is_foreign = [&out](const char* name, auto is_ours) {
-    const fs::path file = out / name;
-    return fs::is_regular_file(file, core::ignored_error()) &&
-           fs::file_size(file, core::ignored_error()) > 0 && !is_ours(file);
-  };
-  for (const char* name :
-       {is_foreign("index.html",
-                   [&](const fs::path& file) {
-                     return tool::file_bytes(file).find(kMark) != std::string::npos;
-                   })
-            ? "index.html"
-            : "",
-        is_foreign("manifest.jsonl",
-                   [&](const fs::path& file) {
-                     return fs::exists(out / ".lentray-batch", core::ignored_error()) ||
-                            looks_like_rows(file);
-                   })
-            ? "manifest.jsonl"
-            : ""}) {
-    if (*name == '\0') continue;
-    throw std::runtime_error("'" + (out / name).string() +
-                             "' is not of lentray-batch and would be overwritten: name another "
-                             "folder by --out, or move it away");
-  }
+  tool::refuse_foreign_page(out / "index.html", "lentray-batch");
+  tool::refuse_foreign(out / "manifest.jsonl", "lentray-batch", [&](const fs::path& file) {
+    return fs::exists(out / ".lentray-batch", core::ignored_error()) || looks_like_rows(file);
+  });
 }
 
 int batch(const Arguments& arguments) {

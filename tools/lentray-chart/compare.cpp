@@ -46,8 +46,6 @@ class Convergence {
         m_picture(picture_name(of_lens_models ? "reference-lens" : "reference")) {}
 
   void run() {
-    std::error_code error;
-    if (!fs::is_regular_file(m_session.folder.file(m_picture), error)) m_reference = {};
     if (m_reference.is_converged) return;
     m_last_s = 0.6 * m_reference.cpu_s;  // about what the last step of an earlier run took
     while (next()) {

@@ -15,6 +15,16 @@ core::StoredImage shown_picture(const std::filesystem::path& file) {
   return core::is_shown_as_stored(image) ? image : core::displayed(image);
 }
 
+bool is_picture(const std::filesystem::path& file) {
+  try {
+    // By another name: what the chart makes itself is no input that an output must not replace.
+    (void)core::read_image(core::NamedFile{.path = file, .name = file.filename()});
+    return true;
+  } catch (const core::ImageError&) {
+    return false;
+  }
+}
+
 Error error_of(const core::StoredImage& a, const core::StoredImage& b) {
   const core::Comparison c = core::compare(a, b, core::Columns::all(a.width));
   Error e;

@@ -15,6 +15,9 @@ namespace lentray::chart {
 /// As viewers show it.
 core::StoredImage shown_picture(const std::filesystem::path& file);
 
+/// Whether it is one that can be read.
+bool is_picture(const std::filesystem::path& file);
+
 /// All but `perceived`.
 Error error_of(const core::StoredImage& a, const core::StoredImage& b);
 

@@ -6,6 +6,7 @@
 #include <thread>
 
 #include "core/base/formed.h"
+#include "core/base/ignored_error.h"
 #include "core/base/joined.h"
 #include "core/image/run_files.h"
 #include "parser/files/watched_files.h"
@@ -87,6 +88,7 @@ class Charting {
     request.processors = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
     describe();
     take_settings();
+    forget_lost_pictures(m_session);
     find_stock(m_session);
     m_session.save();
     announce();
@@ -257,10 +259,21 @@ class Charting {
   Session m_session;
 };
 
+/// What a chart makes takes no place of something else.
+void refuse_foreign(const fs::path& out) {
+  tool::refuse_foreign_page(out / "index.html", "lentray-chart");
+  for (const char* name : {"chart.csv", "chart.svg", "chart.png"}) {
+    tool::refuse_foreign(out / name, "lentray-chart", [&](const fs::path&) {
+      return fs::exists(out / ".lentray-chart", core::ignored_error());
+    });
+  }
+}
+
 int chart(const Arguments& arguments) {
   tool::hold_signals();
   if (parser::read_options(arguments.for_lentray, parser::installed_sources()).restrict_io)
     tool::refuse_links(arguments.out);
+  refuse_foreign(arguments.out);
   try {
     return Charting(arguments).run();
   } catch (const Stopped&) {

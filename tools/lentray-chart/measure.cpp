@@ -10,6 +10,7 @@
 #include "tools/common/json_text.h"
 #include "tools/common/process.h"
 #include "tools/common/repeats.h"
+#include "tools/lentray-chart/errors.h"
 
 namespace lentray::chart {
 
@@ -17,11 +18,6 @@ namespace fs = std::filesystem;
 using nlohmann::json;
 
 namespace {
-
-bool has_picture(const Session& session, const Point& p) {
-  std::error_code error;
-  return !p.picture.empty() && fs::is_regular_file(session.folder.file(p.picture), error);
-}
 
 /// True if the point is to be run in that round, counted from 0.
 bool is_due(const Session& session, const Point& p, std::size_t round) {
@@ -117,13 +113,27 @@ int repeats_for(double seconds, int wanted) {
   return seconds < 60.0 ? std::min(wanted, 2) : 1;
 }
 
+void forget_lost_pictures(Session& session) {
+  const auto is_lost = [&](const std::string& name) {
+    return name.empty() || !is_picture(session.folder.file(name));
+  };
+  for (Point& p : session.chart().points) {
+    if (p.state == State::done && is_lost(p.picture)) p = Point{p.setting};
+    if (!p.stock_picture.empty() && is_lost(p.stock_picture)) {
+      p.stock_picture.clear();
+      p.stock_runs.clear();
+      p.stock_error.reset();
+      p.from_stock.reset();
+    }
+    if (p.error && !p.difference.empty() && is_lost(p.difference)) p.error.reset();
+  }
+  if (is_lost(session.chart().reference.picture)) session.chart().reference = {};
+  std::optional<Reference>& of_lens_models = session.chart().lens_reference;
+  if (of_lens_models && is_lost(of_lens_models->picture)) of_lens_models.reset();
+}
+
 void measure(Session& session, int first, int last) {
   std::vector<Point>& points = session.chart().points;
-  for (Point& p : points) {
-    if (p.state == State::done && !has_picture(session, p)) {
-      p = Point{p.setting};
-    }
-  }
   for (int round = first; round <= last; ++round) {
     const auto r = static_cast<std::size_t>(round);
     for (Point& p : points) {

@@ -10,6 +10,9 @@ namespace lentray::chart {
 /// How often a setting is timed that takes `seconds`: `wanted` times below 10 s, at most twice below 60 s, else once.
 int repeats_for(double seconds, int wanted);
 
+/// Points, and what was found with pictures, that are gone, emptied or cut lose it: it is made again.
+void forget_lost_pictures(Session& session);
+
 /// Rounds first to last, counted from 0, over all points. The state is saved after each run.
 void measure(Session& session, int first, int last);
 

@@ -6,6 +6,7 @@
 
 #include "core/image/run_files.h"
 #include "tools/common/gnuplot.h"
+#include "tools/common/own_folder.h"
 #include "tools/common/process.h"
 #include "tools/common/tool_main.h"
 #include "tools/lentray-grouping/report.h"
@@ -19,6 +20,7 @@ int experiment(const Arguments& arguments) {
   for (const std::string& scene : arguments.scenes) core::note_input(scene);
   core::claim_writable(arguments.csv, "the table");
   core::claim_writable(arguments.html, "the page");
+  tool::refuse_foreign_page(arguments.html, "lentray-grouping");
   core::claim_writable(arguments.gains, "the gains");
   if (!arguments.html.empty()) tool::check_gnuplot();
   const bool terminal = ::isatty(STDERR_FILENO) != 0;

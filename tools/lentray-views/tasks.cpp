@@ -14,6 +14,7 @@
 #include "parser/options/ini.h"
 #include "parser/options/lens_sheets.h"
 #include "tools/common/natural_order.h"
+#include "tools/common/own_folder.h"
 #include "tools/common/photo_reader.h"
 #include "tools/common/process.h"
 #include "tools/lentray-views/interlace_plan.h"
@@ -221,6 +222,7 @@ std::string write_preview(const Arguments& a, tool::PhotoReader& reader) {
     throw ImageError("cannot write '" + a.out.string() + "': a preview is a .html file");
   }
   check_place(a, a.out);
+  tool::refuse_foreign_page(a.out, "lentray-views");
   const Preview preview = preview_of(open_integral(a.pictures[0], a.sheet, reader), a);
   tool::write_whole(a.out, preview.page);
   return a.out.string() + ": " + preview.told + "\n";

@@ -41,11 +41,12 @@ class OwnForm final : public MessageForm {
   }
   void end_picture(const RenderOptions& options, const shadow::RunReport& report,
                    const std::string& output) override {
-    const std::string text = summary(report, output);
+    const std::string text = summary(options, report, output);
     if (options.verbose) {
       texts().write(parser::Stream::kStatistics, text);
     } else {
       texts().log(parser::Stream::kStatistics, text);
+      if (output.empty()) texts().write(parser::Stream::kRender, no_picture(options) + "\n");
     }
   }
   void keep_picture(const std::string& output) override {

@@ -322,10 +322,7 @@ bool render(Run& run, SceneInUse& scene, const std::atomic<bool>& cancel, bool i
     return false;
   }
   if (journal) journal->finish(is_frame);
-  if (passes) {
-    passes.reset();
-    PassFile::forget(run.output);
-  }
+  if (passes) passes->forget();
   if (journal && !journal->trouble().empty()) run.warnings.tell(journal->trouble());
   run.report.write_cpu_s = picture->cpu_seconds();
   if (store) {

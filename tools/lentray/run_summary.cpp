@@ -6,6 +6,7 @@
 #include <string>
 
 #include "core/base/formed.h"
+#include "parser/options/said_options.h"
 
 namespace lentray::tool {
 namespace {
@@ -50,7 +51,13 @@ std::string stages_text(const core::MemoryStages& stages) {
 
 }  // namespace
 
-std::string summary(const shadow::RunReport& report, const std::string& output) {
+std::string no_picture(const parser::RenderOptions& options) {
+  return parser::with_said("No picture is written: Output_to_File is off", options,
+                           {"Output_to_File"});
+}
+
+std::string summary(const parser::RenderOptions& options, const shadow::RunReport& report,
+                    const std::string& output) {
   const core::Counters& c = report.counters;
   const std::uint64_t pixels = std::uint64_t{report.width} * report.height;
   core::ShadowCounts shadow;
@@ -70,7 +77,7 @@ std::string summary(const shadow::RunReport& report, const std::string& output) 
       report.threads == 1 ? "" : "s", report.write_cpu_s);
   out += core::formed("Memory:  %.0f MB at most", static_cast<double>(report.peak_bytes) * 1e-6);
   out += stages_text(report.memory) + "\n";
-  return out + (output.empty() ? "No file" : output) +
+  return out + (output.empty() ? no_picture(options) : output) +
          core::formed(": %u x %u pixels in %.2f s\n", report.width, report.height, report.wall_s);
 }
 

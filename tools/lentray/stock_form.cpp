@@ -30,7 +30,10 @@ std::string title(const std::string& what) {
   return text + "\n";
 }
 
-std::string rule() { return std::string(kWidth, '-') + "\n"; }
+std::string rule() {
+  std::string text(kWidth, '-');
+  return text.append(1, '\n');
+}
 
 parser::Heading stock_heading(const parser::SourceManager& sources, const parser::Location& where,
                               std::string_view severity) {

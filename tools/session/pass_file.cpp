@@ -24,9 +24,9 @@ std::optional<Identity> PassFile::earlier(const std::string& picture) {
   return whole ? whole : WorkFile::earlier(path + ".part", kPasses);
 }
 
-void PassFile::forget(const std::string& picture) {
-  WorkFile::forget(passes_path(picture), kPasses);
-  WorkFile::forget(passes_path(picture) + ".part", kPasses);
+void PassFile::forget() {
+  m_work.remove();
+  for (const char* end : {"", ".part"}) WorkFile::forget(m_path + end, kPasses);
 }
 
 void PassFile::go_on() {

@@ -29,8 +29,8 @@ class PassFile final : public core::PassLedger, public core::SpareRoom {
 
   /// What the passes depend on that an earlier run began. Empty: there are none.
   static std::optional<Identity> earlier(const std::string& picture);
-  /// Nothing is kept of that picture's passes any more, unless a run is at them.
-  static void forget(const std::string& picture);
+  /// Nothing is kept of the picture's passes any more.
+  void forget();
   /// Continues what there is. Throws as WorkFile::go_on().
   void go_on();
 

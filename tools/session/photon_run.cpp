@@ -1,5 +1,7 @@
 #include "tools/session/photon_run.h"
 
+#include <cerrno>
+#include <cstring>
 #include <fstream>
 #include <iomanip>
 #include <nlohmann/json.hpp>
@@ -37,10 +39,14 @@ std::string PhotonRun::save() const {
     core::FileSwap swap(name);
     if (const std::string why = core::count_written(bytes()); !why.empty())
       throw core::ImageError("cannot write " + core::shown_place(name) + ": " + why);
+    errno = 0;
     std::ofstream out(swap.temporary(), std::ios::binary);
     core::write_photon_file(out, light.surface.tree().photons(), light.media.tree().photons());
     out.close();
-    if (!out) throw core::ImageError("cannot write " + core::shown_place(name));
+    if (!out) {
+      throw core::ImageError("cannot write " + core::shown_place(name) + ": " +
+                             std::strerror(errno != 0 ? errno : EIO));
+    }
     swap.commit();
   } catch (const core::ImageError& error) {
     return std::string("the photons are not saved: ") + error.what();

@@ -101,8 +101,8 @@ bool PictureJournal::keep() {
 
 void PictureJournal::finish(bool say_so) {
   if (say_so) return m_work.say(kFinished);
-  m_work.close();
-  forget_at(m_work.path());
+  m_work.remove();
+  WorkFile::forget(m_work.path(), kFinished);
 }
 
 std::uint64_t PictureJournal::bytes() {

@@ -44,4 +44,11 @@ std::string take_file(int file, const std::string& path) {
   return ::ftruncate(file, 0) != 0 ? std::strerror(errno) : "";
 }
 
+void remove_taken(int file, const std::string& path) {
+  struct stat open {
+  }, there{};
+  if (file < 0 || ::fstat(file, &open) != 0 || ::lstat(path.c_str(), &there) != 0) return;
+  if (open.st_dev == there.st_dev && open.st_ino == there.st_ino) (void)::unlink(path.c_str());
+}
+
 }  // namespace lentray::tool

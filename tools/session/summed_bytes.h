@@ -29,5 +29,7 @@ bool take_summed(std::string_view& bytes, std::string_view& piece);
 
 /// Takes an open file for work that is kept, and empties it. Why that cannot be done; empty: it is done.
 std::string take_file(int file, const std::string& path);
+/// Removes such a file, whatever somebody has made of its bytes since, if the path still leads to it.
+void remove_taken(int file, const std::string& path);
 
 }  // namespace lentray::tool

@@ -259,18 +259,17 @@ void WorkFile::close() {
   m_file = -1;
 }
 
+void WorkFile::remove() {
+  remove_taken(m_file, m_path);
+  close();
+  forget(m_path, m_mark);
+}
+
 bool WorkFile::give() {
-  m_pending.clear();
-  m_is_off = true;
   const bool had_room = room() > 0;
-  if (m_file < 0) {
-    forget(m_path, m_mark);
-  } else {
-    m_is_given = true;
-    if (::ftruncate(m_file, 0) != 0) m_trouble = std::strerror(errno);
-    (void)::unlink(m_path.c_str());
-    close();
-  }
+  m_is_given = m_is_given || m_file >= 0;
+  if (m_file >= 0 && ::ftruncate(m_file, 0) != 0) m_trouble = std::strerror(errno);
+  remove();
   return had_room && room() == 0;
 }
 

@@ -61,7 +61,9 @@ class WorkFile {
   void rename(const std::string& path);
   /// Drops what waits. Nothing is kept any more; the file stays as it is.
   void close();
-  /// Nothing is kept any more, and its room is free. False: there was none.
+  /// The same, and there is no file, whatever somebody has made of it since, nor one of an earlier run.
+  void remove();
+  /// Removes it for its room. False: there was none.
   bool give();
 
   const std::string& path() const { return m_path; }

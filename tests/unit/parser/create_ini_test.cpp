@@ -121,6 +121,86 @@ TEST(UnitParserCreateIni, AsksForTheSameRunAgain) {
   }
 }
 
+/// What names may be of that an INI file reads in its own way.
+const std::vector<std::string> kOddNames = {"a;b.pov",
+                                            "a#b.pov",
+                                            " a.pov ",
+                                            "'a'.pov",
+                                            "\"a\"",
+                                            "it's.pov",
+                                            "a\"b.pov",
+                                            "a\";b.pov",
+                                            "a';b.pov",
+                                            "a\"'.pov",
+                                            "[a].pov",
+                                            "a[b]",
+                                            "a=b.pov",
+                                            "+W9.pov",
+                                            "-x",
+                                            "a\\b.pov",
+                                            "\ta.pov",
+                                            "%s.pov",
+                                            "\"",
+                                            "'",
+                                            "\"\"",
+                                            "''",
+                                            "\"'",
+                                            "' \"",
+                                            "a b\" +W9",
+                                            "caf\xc3\xa9.pov",
+                                            "a\xff.pov",
+                                            ";",
+                                            "#",
+                                            "\xef\xbb\xbf.pov",
+                                            "it's \"x;y\"",
+                                            "\"a;b\"",
+                                            "'a#b'",
+                                            "a' ;'b",
+                                            "a\" #\"b"};
+
+/// The name comes back, or is refused: never another one.
+TEST(UnitParserCreateIni, OddNamesComeBackOrAreRefused) {
+  std::size_t held = 0;
+  for (const std::string& name : kOddNames) {
+    RenderOptions options = read({"a.pov"});
+    options.input = options.output = options.include_header = name;
+    options.library_paths = {name};
+    options.declares = {{"Text", name}};
+    options.commands[0].text = name;
+    std::string text;
+    try {
+      text = ini_text(options);
+    } catch (const OptionError& error) {
+      EXPECT_NE(std::string(error.what()).find("cannot hold"), std::string::npos);
+      continue;
+    }
+    ++held;
+    const tool::TemporaryFolder folder;
+    const std::string path = (folder / "again.ini").string();
+    std::ofstream(path) << text;
+    const RenderOptions again = read({path});
+    EXPECT_EQ(again.input, name) << text;
+    EXPECT_EQ(again.output, name) << text;
+    EXPECT_EQ(again.include_header, name) << text;
+    EXPECT_EQ(again.library_paths, options.library_paths) << text;
+    EXPECT_EQ(again.declares, options.declares) << text;
+    EXPECT_EQ(again.commands[0].text, name) << text;
+    EXPECT_EQ(ini_text(again), text);
+  }
+  EXPECT_GE(held, kOddNames.size() - 6);
+}
+
+TEST(UnitParserCreateIni, LinesOfTheirOwnAreRefused) {
+  for (const std::string name : {"a\nAll_File=x", "a\r", "\n", "a\x1b[1m", "a\f+W9"}) {
+    RenderOptions options = read({"a.pov"});
+    options.input = name;
+    EXPECT_THROW(ini_text(options), OptionError) << name;
+    options.input = "a.pov";
+    options.declares = {{"Text", name}};
+    EXPECT_THROW(ini_text(options), OptionError) << name;
+  }
+}
+
 TEST(UnitParserCreateIni, PlaceOfTheFile) {
   EXPECT_EQ(ini_path(read({"x/a.pov"})), "");
   EXPECT_EQ(ini_path(read({"x/a.pov", "Create_Ini=true"})), "a.ini");

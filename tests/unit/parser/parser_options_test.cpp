@@ -326,7 +326,7 @@ TEST_F(ErrorParserOptions, BadValues) {
   expect_message({"+I"}, "a name is expected");
   expect_message({"+L"}, "a folder is expected");
   expect_message({"+FX"}, "unknown output type");
-  expect_message({"File_Gamma=0"}, "greater than 0");
+  expect_message({"File_Gamma=0"}, "from 0.001 to 6250");
   expect_message({"Lens_Pitch=-1"}, "greater than 0");
   expect_message({"Lens_IOR=0.5"}, "at least 1");
   expect_message({"Lens_Pixels=0.5"}, "at least one pixel");
@@ -526,7 +526,7 @@ TEST_F(UnitParserOptions, OddBooleansAreOffWithAWarning) {
   const RenderOptions o = read({"Lenticular=maybe"});
   EXPECT_FALSE(o.lenticular);
   ASSERT_EQ(o.warnings.size(), 1u);
-  EXPECT_NE(o.warnings[0].find("neither on nor off"), std::string::npos);
+  EXPECT_NE(o.warnings[0].find("neither on nor off, taken as off"), std::string::npos);
 }
 
 TEST_F(UnitParserOptions, IncludeIniReadsAFileAtItsPlace) {

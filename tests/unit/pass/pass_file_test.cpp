@@ -77,7 +77,7 @@ TEST_F(UnitPassFile, WhatWasKeptComesBack) {
   auto more = kept;
   more[1].push_back("three");
   EXPECT_EQ(earlier(identity), more);
-  PassFile::forget(picture());
+  PassFile(picture(), identity).forget();
   EXPECT_TRUE(fs::is_empty(folder));
 }
 
@@ -143,7 +143,7 @@ TEST_F(UnitPassFile, AFinishedFileThatIsNotWholeIsAPart) {
     }
     expected[1].emplace_back("three");
     EXPECT_EQ(earlier(identity), expected) << change;
-    PassFile::forget(picture());
+    PassFile(picture(), identity).forget();
     EXPECT_TRUE(fs::is_empty(folder)) << change;
   }
 }
@@ -176,9 +176,20 @@ TEST_F(UnitPassFile, AnotherRunsFileIsRefused) {
   EXPECT_THROW(second.go_on(), parser::OptionError);
 }
 
+TEST_F(UnitPassFile, WhatSomebodyCutsIsRemovedAtTheEndToo) {
+  PassFile file(picture(), identity, kAtOnce);
+  file.begin(0);
+  file.keep("one");
+  ASSERT_TRUE(file.write());
+  fs::resize_file(part(), 0);
+  file.finish();
+  file.forget();
+  EXPECT_TRUE(fs::is_empty(folder));
+}
+
 TEST_F(UnitPassFile, OthersFilesStay) {
   std::ofstream(part()) << "a text";
-  PassFile::forget(picture());
+  PassFile(picture(), identity).forget();
   EXPECT_TRUE(fs::exists(part()));
 }
 

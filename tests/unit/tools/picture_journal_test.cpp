@@ -135,6 +135,25 @@ TEST_F(UnitPictureJournal, FramesSayThatTheyAreFinished) {
   EXPECT_FALSE(PictureJournal::earlier(picture()));
 }
 
+/// Cut to nothing, or to a part of its head, or written over; exchanged it is another's.
+TEST_F(UnitPictureJournal, WhatSomebodyDidToItGoesWithIt) {
+  for (const int change : {0, 1, 2, 3}) {
+    PictureJournal first = journal();
+    keep(first, 0, {{3, 4}, {4, 4}});
+    ASSERT_TRUE(first.keep());
+    if (change == 0) fs::resize_file(file(), 0);
+    if (change == 1) fs::resize_file(file(), 10);
+    if (change == 2) std::ofstream(file()) << "my notes";
+    if (change == 3) {
+      fs::remove(file());
+      std::ofstream(file()) << "my notes";
+    }
+    first.finish(false);
+    EXPECT_EQ(fs::exists(file()), change == 3) << change;
+    fs::remove(file());
+  }
+}
+
 TEST_F(UnitPictureJournal, FilesThatAreNoJournalsStay) {
   std::ofstream(file()) << "my notes";
   {
