@@ -1,6 +1,7 @@
 // A camera whose pixels are those of other cameras. Immutable, any number of threads.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 
 #include "camera/camera.h"
@@ -34,6 +35,12 @@ class CameraOfOthers : public Camera {
   bool sight(const core::PixelPlace& place, core::Ray& out) const override {
     const Found found = find(place);
     return found.camera.sight(found.place, out);
+  }
+  core::EyePlace eye_place(std::uint32_t column, std::uint32_t row) const override {
+    const Found found =
+        find({.column = static_cast<std::int32_t>(column), .row = static_cast<std::int32_t>(row)});
+    return found.camera.eye_place(static_cast<std::uint32_t>(std::max(found.place.column, 0)),
+                                  static_cast<std::uint32_t>(std::max(found.place.row, 0)));
   }
   std::uint32_t rays_a_place() const override { return m_one.rays_a_place(); }
   bool missing_rays_are_black() const override { return m_one.missing_rays_are_black(); }

@@ -122,6 +122,12 @@ core::PixelPlace Lenticular::place_at(double at, double row, double cell) const 
   return out;
 }
 
+core::EyePlace Lenticular::eye_place(std::uint32_t column, std::uint32_t row) const {
+  const core::LensColumns columns{m_sheet.lens().pixels};
+  const std::int64_t lens = columns.lens_of(column);
+  return {lens, row, column - columns.first_column(lens)};
+}
+
 core::PixelLattice Lenticular::lattice(std::uint32_t width) const {
   core::PixelLattice out;
   out.step = m_sheet.views();

@@ -45,6 +45,7 @@ class Lenticular : public Camera {
   bool ray_at(const core::PixelPlace& place, core::Ray& out) const override;
   /// From the sheet's plane, one scene unit of its normal long.
   bool sight(const core::PixelPlace& place, core::Ray& out) const override;
+  core::EyePlace eye_place(std::uint32_t column, std::uint32_t row) const override;
   core::PixelLattice lattice(std::uint32_t width) const override;
   Properties describe() const override;
 

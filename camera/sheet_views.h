@@ -24,6 +24,9 @@ class SizedView final : public CameraOfOthers {
   /// The sheet must outlive it. view < views; width, height > 0.
   SizedView(const Lenticular& sheet, std::uint32_t view, std::uint32_t views, std::uint32_t width,
             std::uint32_t height);
+  core::EyePlace eye_place(std::uint32_t column, std::uint32_t row) const override {
+    return {column, row, m_view};
+  }
   Properties describe() const override;
 
   /// e_j in cells, -1/2 to 1/2, and in mm.

@@ -97,6 +97,12 @@ bool SlantedLenticular::one_ray_at(const core::PixelPlace& place, std::uint32_t 
   return true;
 }
 
+core::EyePlace SlantedLenticular::eye_place(std::uint32_t column, std::uint32_t row) const {
+  const auto at = static_cast<std::int32_t>(row);
+  const double view = m_rows.part_of_cell(column, at) * sheet().lens().pixels;
+  return {m_rows.lens_of(column, at), row, static_cast<std::int64_t>(view)};
+}
+
 core::PixelLattice SlantedLenticular::lattice(std::uint32_t columns) const {
   const auto step = static_cast<std::uint32_t>(std::floor(sheet().lens().pixels + 0.5));
   core::PixelLattice out;

@@ -29,6 +29,7 @@ class SlantedLenticular final : public Lenticular {
   bool one_ray_at(const core::PixelPlace& place, std::uint32_t index,
                   core::Ray& out) const override;
   bool missing_rays_are_black() const override { return m_lens.has_value(); }
+  core::EyePlace eye_place(std::uint32_t column, std::uint32_t row) const override;
   /// Left of a pixel is that N columns before, rounded: the view that is nearest. Pixels share no
   /// corners with those beside them, for strips change from row to row.
   core::PixelLattice lattice(std::uint32_t width) const override;

@@ -31,6 +31,11 @@ class ImageError : public std::runtime_error {
 
 enum class FileType { png, tiff, exr, targa, compressed_targa, jpeg, ppm, bmp, radiance };
 
+/// Light of any strength, where others end at 1.
+constexpr bool holds_any_light(FileType type) {
+  return type == FileType::exr || type == FileType::radiance;
+}
+
 /// Dither_Method: B2, B3, B4; D1, D2; FS.
 enum class DitherMethod { none, bayer2, bayer3, bayer4, line, plane, floyd_steinberg };
 

@@ -3,24 +3,41 @@
 // threshold" and the two gammas measured on stock by tests/image/antialiasing_test.cpp.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
+#include <cstdint>
 
 #include "core/base/color.h"
 #include "core/trace/radiance.h"
 
 namespace lentray::core {
 
+enum class AntialiasingMethod : std::uint8_t {
+  kPlain,    ///< one sample a pixel
+  kCentres,  ///< stock's method 1: adaptive, not recursive
+  kCorners,  ///< stock's method 2: adaptive and recursive
+  kSpread,   ///< for prints: samples of neighbouring pixels are spread, for an eye blends them
+  kGrid,     ///< every pixel has depth x depth samples, at the middles of its cells
+};
+
 struct Antialiasing {
-  /// 0: off, 1: adaptive and not recursive, 2: adaptive and recursive; 3, our own: every pixel has
-  /// depth x depth samples, at the middles of its cells
-  int method = 0;
+  AntialiasingMethod method = AntialiasingMethod::kPlain;
   double threshold = 0.3;  ///< 0..1, of the sum over red, green, blue and transparency
-  int depth = 3;        ///< methods 1 and 3: depth x depth samples; method 2: halvings of a pixel
+  /// kCentres, kGrid: depth x depth samples; kCorners: halvings of a pixel; kSpread: further samples
+  int depth = 3;
   double jitter = 1.0;  ///< 0: none
   double gamma = 2.5;   ///< in which colours are compared; 0: as they are
 
+  bool blends_light = false;  ///< kGrid: means are of linear light, as those of kSpread
+  float most = 1.0f;          ///< linear light that the picture's file can hold; infinite: any
+
   /// Pixels are compared with one another.
-  bool compares() const { return method == 1 || method == 2; }
+  bool compares() const {
+    return method == AntialiasingMethod::kCentres || method == AntialiasingMethod::kCorners ||
+           method == AntialiasingMethod::kSpread;
+  }
+  /// Of a pixel that is refined.
+  int more_samples() const { return method == AntialiasingMethod::kSpread ? depth : depth * depth; }
 };
 
 /// A colour as it is compared.
@@ -57,6 +74,37 @@ class ComparedSpace {
   bool m_is_srgb;
   float m_power;
   bool m_is_plain;
+};
+
+/// Between the scene's working space and linear light, in which an eye blends.
+class LinearLight {
+ public:
+  /// `working_gamma` as ComparedSpace has it; `most`: more is clipped.
+  LinearLight(double working_gamma, float most)
+      : m_is_srgb(working_gamma == 0.0), m_power(static_cast<float>(working_gamma)), m_most(most) {}
+  Radiance of(const Radiance& seen) const {
+    return {each(seen.rgb, [this](float v) { return std::min(light(std::max(v, 0.0f)), m_most); }),
+            seen.transmit};
+  }
+  Radiance back(const Radiance& light) const {
+    return {each(light.rgb, [this](float v) { return working(v); }), light.transmit};
+  }
+
+ private:
+  template <class Work>
+  static Rgb each(const Rgb& rgb, Work work) {
+    return {work(rgb.r), work(rgb.g), work(rgb.b)};
+  }
+  float light(float v) const {
+    if (!m_is_srgb) return m_power == 1.0f ? v : std::pow(v, m_power);
+    return v <= 0.04045f ? v / 12.92f : std::pow((v + 0.055f) / 1.055f, 2.4f);
+  }
+  float working(float v) const {
+    if (!m_is_srgb) return m_power == 1.0f ? v : std::pow(v, 1.0f / m_power);
+    return v <= 0.0031308f ? v * 12.92f : 1.055f * std::pow(v, 1.0f / 2.4f) - 0.055f;
+  }
+  bool m_is_srgb;
+  float m_power, m_most;
 };
 
 }  // namespace lentray::core

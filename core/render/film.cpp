@@ -69,6 +69,7 @@ class GridBand final : public OnePassBand {
  private:
   bool trace(FilmThread& thread) override {
     const int depth = m_setup.antialiasing.depth;
+    const LinearLight* const light = m_setup.antialiasing.blends_light ? &m_setup.light : nullptr;
     const auto cells = static_cast<std::size_t>(depth) * static_cast<std::size_t>(depth);
     Radiance sum;
     bool shows = false;
@@ -83,12 +84,13 @@ class GridBand final : public OnePassBand {
             sum = {};
             shows = false;
           }
-          sum += sample.seen;
+          sum += light ? light->of(sample.seen) : sample.seen;
           shows = shows || sample.has_ray;
           if (i % cells + 1 < cells) return true;
           ++(shows ? thread.counters.antialiased_pixels : thread.counters.dark_pixels);
           const Pixel& p = thread.pixels[i / cells];
-          store(shows ? sum * (1.0f / static_cast<float>(cells)) : Radiance{}, m_setup.alpha,
+          sum = shows ? sum * (1.0f / static_cast<float>(cells)) : Radiance{};
+          store(light ? light->back(sum) : sum, m_setup.alpha,
                 m_image.pixel(p.column, p.row - m_top));
           return thread.begins();
         });
@@ -132,21 +134,25 @@ void keep_colours(const FilmSetup& setup, std::size_t stage, std::uint32_t image
 
 std::unique_ptr<Film> Film::make(FilmSetup setup, const BandOrders& orders) {
   switch (setup.antialiasing.method) {
-    case 1: return make_film_of_centres(std::move(setup), orders);
-    case 2: return make_film_of_corners(std::move(setup), orders);
-    case 3: return std::make_unique<FilmOf<FilmPlan, GridBand>>(std::move(setup), orders);
-    default: return std::make_unique<FilmOf<FilmPlan, PlainBand>>(std::move(setup), orders);
+    case AntialiasingMethod::kCentres: return make_film_of_centres(std::move(setup), orders);
+    case AntialiasingMethod::kCorners: return make_film_of_corners(std::move(setup), orders);
+    case AntialiasingMethod::kSpread: return make_film_of_spread(std::move(setup), orders);
+    case AntialiasingMethod::kGrid:
+      return std::make_unique<FilmOf<FilmPlan, GridBand>>(std::move(setup), orders);
+    case AntialiasingMethod::kPlain: break;
   }
+  return std::make_unique<FilmOf<FilmPlan, PlainBand>>(std::move(setup), orders);
 }
 
 std::uint32_t Film::rows_together(const Antialiasing& antialiasing) {
-  return antialiasing.method == 1 ? PixelLattice::kTile : 1;
+  return antialiasing.method == AntialiasingMethod::kCentres ? PixelLattice::kTile : 1;
 }
 
 FilmColumns Film::traced_columns(const FilmSetup& setup) {
   switch (setup.antialiasing.method) {
-    case 1: return traced_columns_of_centres(setup);
-    case 2: return traced_columns_of_corners(setup);
+    case AntialiasingMethod::kCentres: return traced_columns_of_centres(setup);
+    case AntialiasingMethod::kCorners: return traced_columns_of_corners(setup);
+    case AntialiasingMethod::kSpread: return traced_columns_of_spread(setup);
     default: return {setup.region.left, setup.region.right};
   }
 }

@@ -6,7 +6,8 @@
 //   no antialiasing   one sample a pixel, in the pixel order
 //   method 1          core/render/film_centres.cpp
 //   method 2          core/render/film_corners.cpp
-//   method 3          GridBand in core/render/film.cpp
+//   spread            core/render/film_spread.cpp
+//   grid              GridBand in core/render/film.cpp
 #pragma once
 
 #include <atomic>
@@ -85,7 +86,9 @@ struct FilmSetup {
   Antialiasing antialiasing;
   bool alpha = false;
   PixelLattice lattice;
+  const RaySource* camera = nullptr;
   ComparedSpace space{2.5, 1.0};
+  LinearLight light{1.0, 1.0f};
   PictureLedger* ledger = nullptr;  ///< null: nothing is kept
 
   /// Null: nothing is known.

@@ -39,6 +39,9 @@ class FilmOf final : public Film {
 std::unique_ptr<Film> make_film_of_centres(FilmSetup setup, const BandOrders& orders);
 FilmColumns traced_columns_of_centres(const FilmSetup& setup);
 
+std::unique_ptr<Film> make_film_of_spread(FilmSetup setup, const BandOrders& orders);
+FilmColumns traced_columns_of_spread(const FilmSetup& setup);
+
 std::unique_ptr<Film> make_film_of_corners(FilmSetup setup, const BandOrders& orders);
 FilmColumns traced_columns_of_corners(const FilmSetup& setup);
 

@@ -50,8 +50,12 @@ FilmSetup film_setup(const Scene* scene, const RaySource& camera, const FrameSha
   setup.antialiasing = options.antialiasing;
   setup.alpha = options.alpha;
   setup.ledger = options.ledger;
+  setup.camera = &camera;
   if (options.antialiasing.compares()) setup.lattice = camera.lattice(shape.width);
-  if (scene) setup.space = {options.antialiasing.gamma, working_gamma(scene->settings())};
+  if (!scene) return setup;
+  const double gamma = working_gamma(scene->settings());
+  setup.space = {options.antialiasing.gamma, gamma};
+  setup.light = {gamma, options.antialiasing.most};
   return setup;
 }
 

@@ -32,7 +32,7 @@ FrameProgress::FrameProgress(Progress& listener, const FilmSetup& film, Clock::t
   m_stages[0].guess = 1.0;
   if (!film.antialiasing.compares()) return;
   m_stages[1].all = pixels_to_visit(film, 1);
-  m_stages[1].guess = kAntialiased * film.antialiasing.depth * film.antialiasing.depth;
+  m_stages[1].guess = kAntialiased * film.antialiasing.more_samples();
 }
 
 void FrameProgress::add(std::size_t stage, std::uint64_t pixels, Clock::duration spent,

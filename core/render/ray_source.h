@@ -18,6 +18,11 @@ struct PixelPlace {
   double turn = 0.0;
 };
 
+/// Where an eye sees a pixel: it blends neighbouring rows, and neighbouring views of a lens.
+struct EyePlace {
+  std::int64_t lens = 0, row = 0, view = 0;
+};
+
 class FocalBlur;
 
 class RaySource {
@@ -47,6 +52,10 @@ class RaySource {
   virtual bool lens_ray_at(const PixelPlace& place, [[maybe_unused]] double x,
                            [[maybe_unused]] double y, Ray& out) const {
     return ray_at(place, out);
+  }
+  /// Of an ordinary picture each column is a lens of one view.
+  virtual EyePlace eye_place(std::uint32_t column, std::uint32_t row) const {
+    return {column, row, 0};
   }
   /// How the areas of the pixels of a picture of that width join.
   virtual PixelLattice lattice(std::uint32_t width) const { return PixelLattice::in_rows(width); }

@@ -76,7 +76,7 @@ struct RenderOptions {
 
   // Antialiasing.
   bool antialias = false;
-  int sampling_method = 1;           ///< 1: adaptive, 2: recursive
+  int sampling_method = 1;  ///< 1: adaptive, 2: recursive, 3: the eye's, of lens sheets; 0: none
   double antialias_threshold = 0.3;  ///< 0..1
   int antialias_depth = 3;           ///< 1..9
   double antialias_gamma = 2.5;      ///< 0: colours are compared as they are

@@ -71,6 +71,10 @@ constexpr OptionAccess kEdge =
 void set_antialias_gamma(Options& o, const Given& g) {
   o.antialias_gamma = std::max(number(g), 0.0);
 }
+/// 3 alone is the eye's, where stock takes the like for 2.
+void set_sampling_method(Options& o, const Given& g) {
+  o.sampling_method = g.value == "3" ? 3 : static_cast<int>(cut_whole(o, g, 0, 2));
+}
 void set_jitter(Options& o, const Given& g) {
   if (g.sign != 0 && !g.value.empty()) o.jitter_amount = cut_number(o, g, 0.0, 1.0);
   o.jitter = truth(o, g);
@@ -448,7 +452,10 @@ constexpr OptionRow kTable[] = {
     {"Quality", "Q", kCut<&Options::quality, 0, 11>, kLight},
     {"Work_Threads", "WT", kCut<&Options::threads, 1, 512, write_positive<&Options::threads>>},
     {"Antialias", "A", {set_antialias, write_field<&Options::antialias>}, kPicture},
-    {"Sampling_Method", "AM", kCut<&Options::sampling_method, 0, 2>, kPicture},
+    {"Sampling_Method",
+     "AM",
+     {set_sampling_method, write_field<&Options::sampling_method>},
+     kPicture},
     {"Antialias_Threshold", "", kCut<&Options::antialias_threshold, 0, 1>, kPicture},
     {"Antialias_Depth", "R", kCut<&Options::antialias_depth, 1, 9>, kPicture},
     {"Antialias_Gamma",

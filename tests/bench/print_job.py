@@ -2,6 +2,7 @@
 
   tests/bench/print_job.py                      24 examples, 1200 x 900, antialiased (+A0.3 -J)
   tests/bench/print_job.py --plain              without antialiasing
+  tests/bench/print_job.py --eye                lentray samples for the eye (+A0.3 +AM3), stock as before
   tests/bench/print_job.py --runs 5 granite     scenes whose path contains a word
   tests/bench/print_job.py --before FOLDER      another build of lentray instead of stock
 
@@ -32,7 +33,7 @@ LENS = 15
 
 def sheet(program, scene, args, folder):
     return cpu_seconds([program, f"+I{scene}", f"+O{folder / 'sheet.png'}", "Lenticular=On", f"+W{args.width}",
-                        f"+H{args.height}", *args.antialiasing, "-D", "-V", "-P", "+WT1"], scene.parent)
+                        f"+H{args.height}", *args.sheets, "-D", "-V", "-P", "+WT1"], scene.parent)
 
 
 def all_views(views, scene, args, folder):
@@ -66,6 +67,7 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("words", nargs="*", metavar="WORD")
     parser.add_argument("--plain", action="store_true", help="without antialiasing")
+    parser.add_argument("--eye", action="store_true", help="lentray with +A0.3 +AM3")
     parser.add_argument("--runs", type=int, default=1, metavar="N", help="of each way (default 1)")
     parser.add_argument("--width", type=int, default=1200)
     parser.add_argument("--height", type=int, default=900)
@@ -78,6 +80,7 @@ def main():
     args.bin = args.bin.resolve()
     args.before = args.before and two_builds.program(parser, args.before)
     args.antialiasing = ["-A", "-J"] if args.plain else ["+A0.3", "-J"]
+    args.sheets = ["+A0.3", "+AM3"] if args.eye else args.antialiasing
     scenes = [INSTEAD.get(name, name) for name in SCENES]
     scenes = [name for name in scenes if not args.words or any(word in name for word in args.words)]
     if not scenes:

@@ -26,7 +26,8 @@ sphere { <2*clock - 1, 0, 0>, 1 pigment { rgb 1 } finish { reflection 0.3 } }
 plane { y, -1 pigment { checker rgb 1, rgb 0.3 } }
 box { <1, -1, 1>, <2, 1, 2> pigment { granite } finish { subsurface { translucency 1 } } interior { ior 1.3 } }
 """
-WAYS = ([], ["+A0.1", "+AM1", "+R2"], ["+A0.1", "+AM2", "+R2"], ["Lenticular=On", "+A0.2", "+AM1", "+R2"])
+WAYS = ([], ["+A0.1", "+AM1", "+R2"], ["+A0.1", "+AM2", "+R2"], ["Lenticular=On", "+A0.2", "+AM1", "+R2"],
+        ["Lenticular=On", "+A0.2", "+AM3"])
 
 
 def pictures(where):

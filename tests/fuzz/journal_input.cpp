@@ -58,9 +58,8 @@ class SmallRun {
     look.height = kHeight;
     m_camera.emplace(m_session->camera(look));
   }
-  /// `method`: of antialiasing, 0 to 3.
-  void render(int method, core::PictureLedger* ledger, core::PassLedger* passes,
-              tool::RadiosityStore* store) {
+  void render(core::AntialiasingMethod method, core::PictureLedger* ledger,
+              core::PassLedger* passes, tool::RadiosityStore* store) {
     tool::FilmSettings film;
     film.threads = 1;
     film.antialiasing.method = method;
@@ -81,7 +80,8 @@ void continue_picture(const InputFile& file) {
   const std::string picture = file.begin() + ".png";
   const auto earlier = tool::PictureJournal::earlier(picture);
   if (!earlier) return;
-  for (const int method : {0, 1, 2, 3}) {
+  using enum core::AntialiasingMethod;
+  for (const auto method : {kPlain, kCentres, kCorners, kSpread, kGrid}) {
     tool::PictureJournal journal(picture, kWidth, kHeight, earlier->identity, kAtOnce);
     journal.go_on();
     run.render(method, &journal, nullptr, nullptr);
@@ -95,7 +95,7 @@ void continue_picture(const InputFile& file) {
 void continue_passes(const InputFile& file, const tool::Identity& identity) {
   tool::PassFile passes(file.begin() + ".png", identity, kAtOnce);
   passes.go_on();
-  SmallRun(kPassing).render(0, nullptr, &passes, nullptr);
+  SmallRun(kPassing).render(core::AntialiasingMethod::kPlain, nullptr, &passes, nullptr);
 }
 
 void use_light(const InputFile& file, const tool::Identity& identity) {
@@ -104,7 +104,7 @@ void use_light(const InputFile& file, const tool::Identity& identity) {
   options.radiosity_from_file = true;
   tool::RadiosityStore store(options, identity);
   store.read();
-  SmallRun(kPassing).render(0, nullptr, nullptr, &store);
+  SmallRun(kPassing).render(core::AntialiasingMethod::kPlain, nullptr, nullptr, &store);
 }
 
 const char* end_of_name(OwnFile kind) {

@@ -128,6 +128,8 @@ TEST_P(ImageIdentical, SlantedLensesIntegral) {
                     "Antialias_Angle=2", "+A0.2", "+R2", "+W48", "+H30"});
   expect_identical({identical_scene_file("demo.pov"), "Lenticular=On", "Lens_Slant=1/6", "+AM2",
                     "+A0.1", "+R2", "Lens_Pixels=6", "+W48", "+H30"});
+  expect_identical({identical_scene_file("demo.pov"), "Lenticular=On", "Lens_Slant=1/6", "+AM3",
+                    "+A0.1", "Lens_Pixels=6", "+W48", "+H30"});
 }
 
 TEST_P(ImageIdentical, DemoInItsOwnCamera) {
@@ -317,6 +319,12 @@ TEST_P(ImageIdentical, AntialiasedSheetByCorners) {
   expect_identical({identical_scene_file("demo.pov"), "Lenticular=On", "Lens_Pixels=7.37",
                     "Antialias_Angle=2", "+A0.2", "+AM2", "+R2"},
                    {"+W72", "+H48"}, {"+W48", "+H36"});
+}
+
+TEST_P(ImageIdentical, AntialiasedSheetForTheEye) {
+  expect_identical({identical_scene_file("demo.pov"), "Lenticular=On", "Lens_Pixels=7.37", "+A0.2",
+                    "+AM3", "+R2"},
+                   {"+W100", "+H60"}, {"+W64", "+H40"});
 }
 
 class ImageIdenticalOccluders : public ImageIdentical {

@@ -60,6 +60,7 @@ INSTANTIATE_TEST_SUITE_P(
                       MergeWords{"Grayscale_Output=On"}, MergeWords{"File_Gamma=1.8"},
                       MergeWords{"Dither=On", "Dither_Method=B4"},
                       MergeWords{"Lenticular=On", "Lens_Pixels=8"},
+                      MergeWords{"Lenticular=On", "Lens_Pixels=8", "+A0.1", "+AM3"},
                       MergeWords{"Lenticular=On", "Lens_Pixels=8", "+A", "+FN16", "+UA"}));
 
 TEST_F(ImageMerge, BlackRowsNeedToBeTold) {

@@ -212,9 +212,10 @@ TEST_F(ImageViews, ViewsOfOneReadingAreThoseOfTheirOwn) {
                    std::string("#declare Camera = camera { location <0,0,-5> look_at 0 right x*4/3 "
                                "aperture 0.3 blur_samples 7 focal_point 0 }\n") +
                        kViewsScene);
-  for (const char* slant : {"Lens_Slant=0", "Lens_Slant=9"}) {
-    const std::vector<std::string> words{"Lenticular=On", "Lens_Pixels=8", slant,   "+W64",
-                                         "+H40",          "Views=4",       "+FN16", "+A0.2"};
+  for (const auto& [slant, method] :
+       {std::pair{"Lens_Slant=0", "+AM1"}, {"Lens_Slant=0", "+AM3"}, {"Lens_Slant=9", "+AM1"}}) {
+    const std::vector<std::string> words{"Lenticular=On", "Lens_Pixels=8", slant,   "+W64", "+H40",
+                                         "Views=4",       "+FN16",         "+A0.2", method};
     ASSERT_EQ(lentray(views_with(words, {"+Oall.png"}), "blur.pov").status, 0);
     for (const char* j : {"0", "1", "3"}) {
       EXPECT_TRUE(

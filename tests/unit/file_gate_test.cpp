@@ -72,13 +72,12 @@ const std::map<std::string, Chosen>& files_that_open() {
       {"tools/lentray-diff/workshop.cpp", kOwn},
       {"tools/lentray-merge/png_head.cpp", kUser},
       {"tools/lentray-merge/png_rows.cpp", kUser},
-      {"tools/session/pass_file.cpp", kOwn},
       {"tools/session/photon_run.cpp", kOutput},
-      {"tools/session/picture_journal.cpp", kOwn},
       {"tools/session/radiosity_store.cpp", kUser},
       {"tools/session/ray_dump.cpp", kUser},
       {"tools/session/scene_file.cpp", kOwn},
       {"tools/session/summed_bytes.cpp", kOwn},
+      {"tools/session/work_file.cpp", kOwn},
   };
   return files;
 }

@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "core/render/film.h"
+#include "tools/session/requests.h"
 #include "tools/common/json_text.h"
 #include "tools/common/process.h"
 #include "tools/common/shell_words.h"
@@ -33,11 +34,7 @@ Estimate bare(const Job& job) {
                                       o.dither_type == core::DitherMethod::floyd_steinberg);
   if (!is_part && !passes_on && o.type == core::FileType::png)
     e.rows = static_cast<std::int64_t>(rows_of_file(o));
-  if (o.antialias) {
-    core::Antialiasing how;
-    how.method = o.sampling_method;
-    e.grain = core::Film::rows_together(how);
-  }
+  e.grain = core::Film::rows_together(tool::film_settings(o).antialiasing);
   return e;
 }
 

@@ -1,5 +1,7 @@
 #include "tools/lentray-diff/antialiasing.h"
 
+#include <algorithm>
+
 #include "core/base/formed.h"
 #include "parser/options/options.h"
 
@@ -8,7 +10,11 @@ namespace lentray::diff {
 Antialiasing antialiasing_of(const parser::RenderOptions& options) {
   Antialiasing out;
   out.on = options.antialias;
-  out.method = options.sampling_method;
+  out.method = std::min(options.sampling_method, 2);
+  if (out.on && options.sampling_method == 3 && options.lenticular)
+    throw parser::OptionError(
+        "Sampling_Method=3 spreads the samples of a print for the eye, which POV-Ray does not: its "
+        "pictures are compared with those of methods 1 and 2");
   out.threshold = options.antialias_threshold;
   out.depth = options.antialias_depth;
   out.jitter = options.jitter ? options.jitter_amount : 0.0;

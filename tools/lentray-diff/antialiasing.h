@@ -21,7 +21,7 @@ struct Antialiasing {
   int angles = 1;          ///< Antialias_Angle, which only lentray knows; also without the rest
 };
 
-/// As lentray understands its options.
+/// As lentray understands its options. Throws parser::OptionError where POV-Ray has nothing like it.
 Antialiasing antialiasing_of(const parser::RenderOptions& options);
 
 /// Options of stock, to which lentray listens as well.

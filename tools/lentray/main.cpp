@@ -1,6 +1,7 @@
 // lentray: renders POV-Ray scenes, also as integral images for lenticular sheets.
 #include <malloc.h>
 
+#include <algorithm>
 #include <cstdio>
 #include <exception>
 #include <filesystem>
@@ -148,6 +149,7 @@ int run_main(int argc, char** argv) {
   int status = out.guarded([&] {
     try {
       options = parser::read_options(arguments, parser::installed_sources());
+      if (as_povray) options.sampling_method = std::min(options.sampling_method, 2);
     } catch (...) {
       if (as_povray) std::fputs(tool::stock_option_problem(program, arguments).c_str(), stderr);
       throw;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cstdio>
+#include <limits>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <stdexcept>
@@ -273,11 +274,30 @@ void tell_of_journal(Run& run, PictureJournal& journal) {
   if (journal.keep()) tell_of_file(run, journal_path(run.output));
 }
 
+/// Sampling for the eye is for sheets; other pictures take it for what stock does.
+FilmSettings film_of(Run& run) {
+  FilmSettings film = film_settings(run.options);
+  core::AntialiasingMethod& method = film.antialiasing.method;
+  const bool is_print = run.camera.sheet && !run.options.views.quilt;
+  if (method == core::AntialiasingMethod::kSpread && !is_print)
+    method = core::AntialiasingMethod::kCorners;
+  film.antialiasing.blends_light &= is_print;
+  if (core::holds_any_light(run.type))
+    film.antialiasing.most = std::numeric_limits<float>::infinity();
+  if (method == core::AntialiasingMethod::kSpread) {
+    for (const char* name : {"Jitter", "Jitter_Amount", "Antialias_Gamma"}) {
+      if (run.options.said.contains(name))
+        run.warnings.add(std::string(name) + " does nothing with Sampling_Method=3");
+    }
+  }
+  return film;
+}
+
 /// False if the run was cancelled.
 bool render(Run& run, SceneInUse& scene, const std::atomic<bool>& cancel, bool is_frame) {
   Session& session = *scene.session;
   const RenderOptions& o = run.options;
-  const FilmSettings film = film_settings(o);
+  const FilmSettings film = film_of(run);
   const Plan plan = session.plan(run.camera, film);
   std::optional<PictureJournal> journal;
   if (is_file_place(run.output)) {

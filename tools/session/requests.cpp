@@ -24,15 +24,18 @@ parser::ParserOptions parser_options(const RenderOptions& o, const parser::Frame
 
 core::Antialiasing antialiasing(const RenderOptions& o) {
   core::Antialiasing out;
-  if (o.antialias) out.method = o.sampling_method;
+  using enum core::AntialiasingMethod;
+  constexpr core::AntialiasingMethod kMethods[] = {kPlain, kCentres, kCorners, kSpread};
+  if (o.antialias) out.method = kMethods[o.sampling_method];
   out.threshold = o.antialias_threshold;
   out.depth = o.antialias_depth;
   if (o.antialias_grid > 0) {
-    out.method = 3;
+    out.method = kGrid;
+    out.blends_light = o.sampling_method == 3;
     out.depth = o.antialias_grid;
   }
   out.jitter = o.jitter ? o.jitter_amount : 0.0;
-  out.gamma = o.antialias_gamma;
+  if (out.method != kSpread) out.gamma = o.antialias_gamma;
   return out;
 }
 

@@ -371,7 +371,9 @@ TEST_F(UnitParserOptions, Antialiasing) {
   EXPECT_EQ(read({"Antialias_Threshold=3"}).antialias_threshold, 1.0);
   EXPECT_EQ(read({"+R20"}).antialias_depth, 9);
   EXPECT_EQ(read({"Jitter_Amount=-1"}).jitter_amount, 0.0);
-  EXPECT_EQ(read({"+AM3"}).sampling_method, 2);
+  EXPECT_EQ(read({"+AM4"}).sampling_method, 2);
+  EXPECT_EQ(read({"+AM3.5"}).sampling_method, 2);
+  EXPECT_EQ(read({"+AM3"}).sampling_method, 3);  // ours, exactly
   expect_message({"+Afoo"}, "a number is expected");
   expect_message({"Antialias_Angle=0"}, "a whole number from 1 to 64");
   expect_message({"Antialias_Grid=65"}, "a whole number from 0 to 64");

@@ -196,13 +196,15 @@ double brightness(const Image& image) {
   return sum * 4.0 * 4.0 / (image.width * image.height);
 }
 
+using enum AntialiasingMethod;
+
 TEST(UnitCoreFilm, EveryMethodSeesTheDisc) {
   const auto scene = disc_scene(1.0f);
   const double area = 3.14159265 * 1.3 * 1.3;
-  for (const int method : {1, 2}) {
+  for (const auto method : {kCentres, kCorners, kSpread}) {
     for (const double jitter : {0.0, 1.0}) {
       const Rendered seen = render(*scene, 40, {.method = method, .depth = 4, .jitter = jitter});
-      EXPECT_NEAR(brightness(seen.image), area, 0.01 * area) << method;
+      EXPECT_NEAR(brightness(seen.image), area, 0.01 * area) << static_cast<int>(method);
     }
   }
 }
@@ -212,30 +214,37 @@ TEST(UnitCoreFilm, OnlyEdgesGetMoreSamples) {
   const Rendered plain = render(*scene, 64, {});
   EXPECT_EQ(plain.counters.camera_rays, 64u * 64);
   EXPECT_EQ(plain.counters.antialiased_pixels, 0u);
-  for (const int method : {1, 2}) {
+  for (const auto method : {kCentres, kCorners, kSpread}) {
     const Rendered edges = render(*scene, 64, {.method = method});
     EXPECT_GT(edges.counters.antialiased_pixels, 64u) << "about the disc's outline of 130 pixels";
     EXPECT_LT(edges.counters.antialiased_pixels, 500u);
     const Rendered flat = render(*disc_scene(0.0f), 64, {.method = method});
     EXPECT_EQ(flat.counters.antialiased_pixels, 0u);
-    EXPECT_EQ(flat.counters.camera_rays, method == 1 ? 64u * 64 + 2 * 64 : 65u * 65);
+    const std::uint64_t rays[] = {0, 64u * 64 + 2 * 64, 65u * 65, 64u * 64};
+    EXPECT_EQ(flat.counters.camera_rays, rays[static_cast<int>(method)]);
   }
   // Threshold 0: every pixel, each by its depth.
-  EXPECT_EQ(render(*scene, 64, {.method = 1, .threshold = 0.0, .depth = 2}).counters.camera_rays,
-            64u * 64 + 2 * 64 + 64u * 64 * 4);
-  EXPECT_EQ(render(*scene, 64, {.method = 2, .threshold = 0.0, .depth = 2}).counters.camera_rays,
-            65u * 65 + 64u * 64 * 5);
+  EXPECT_EQ(
+      render(*scene, 64, {.method = kCentres, .threshold = 0.0, .depth = 2}).counters.camera_rays,
+      64u * 64 + 2 * 64 + 64u * 64 * 4);
+  EXPECT_EQ(
+      render(*scene, 64, {.method = kCorners, .threshold = 0.0, .depth = 2}).counters.camera_rays,
+      65u * 65 + 64u * 64 * 5);
+  EXPECT_EQ(
+      render(*scene, 64, {.method = kSpread, .threshold = 0.0, .depth = 2}).counters.camera_rays,
+      64u * 64 * 3);
 }
 
 TEST(UnitCoreFilm, SameBitsForAnyBandAndNumberOfThreads) {
   const auto scene = disc_scene(1.0f);
-  for (const int method : {1, 2}) {
+  for (const auto method : {kCentres, kCorners, kSpread}) {
     const Antialiasing aa{.method = method, .threshold = 0.1, .depth = 2};
     const Rendered first = render(*scene, 300, aa, 1, 300);
     for (const int threads : {1, 2, 5}) {
       for (const std::uint32_t band : {1u, 7u, 128u, 200u}) {
         EXPECT_EQ(render(*scene, 300, aa, threads, band).image.rgba, first.image.rgba)
-            << "method " << method << ", " << threads << " threads, bands of " << band;
+            << "method " << static_cast<int>(method) << ", " << threads << " threads, bands of "
+            << band;
       }
     }
   }
@@ -243,7 +252,8 @@ TEST(UnitCoreFilm, SameBitsForAnyBandAndNumberOfThreads) {
 
 TEST(UnitCoreFilm, WhatALedgerKnowsIsNotTracedAgain) {
   const auto scene = disc_scene(1.0f);
-  for (const int method : {0, 1, 2}) {
+  for (const auto method : {kPlain, kCentres, kCorners, kSpread}) {
+    SCOPED_TRACE("method " + std::to_string(static_cast<int>(method)));
     const Antialiasing aa{.method = method, .threshold = 0.1, .depth = 2};
     const Rendered whole = render(*scene, 300, aa);
     for (const std::size_t every : {1u, 2u, 3u}) {
@@ -252,16 +262,16 @@ TEST(UnitCoreFilm, WhatALedgerKnowsIsNotTracedAgain) {
       EXPECT_EQ(first.image.rgba, whole.image.rgba);
       memory.turn(300);
       const Rendered second = render(*scene, 300, aa, 2, 200, &memory);
-      EXPECT_EQ(second.image.rgba, whole.image.rgba) << "method " << method << ", every " << every;
+      EXPECT_EQ(second.image.rgba, whole.image.rgba) << "every " << every;
       const double share = 1.0 * second.counters.camera_rays / whole.counters.camera_rays;
-      EXPECT_LT(share, 1.0 - 0.5 / every) << "method " << method << ", every " << every;
+      EXPECT_LT(share, 1.0 - 0.5 / every) << "every " << every;
     }
   }
 }
 
 TEST(UnitCoreFilm, PartsOfAPictureTakeNoMoreThanTheirTiles) {
   const auto scene = disc_scene(1.0f);
-  for (const int method : {0, 1, 2}) {
+  for (const auto method : {kPlain, kCentres, kCorners, kSpread}) {
     Whole whole(300);
     FrameOptions options{.threads = 2};
     options.antialiasing = {.method = method, .threshold = 1.0};
@@ -292,8 +302,9 @@ TEST(UnitCoreFilm, PartsOfAPictureTakeNoMoreThanTheirTiles) {
     const Part orders(columns);
     const Counters c = render_frame(*scene, Window(300), {300, 300, 300}, orders,
                                     PlainShadowTesterFactory(), options, whole, nullptr);
-    const std::uint64_t expected[] = {100, 130 * 130, 121};
-    EXPECT_EQ(c.camera_rays, expected[method] + 9 * c.antialiased_pixels);
+    const std::uint64_t expected[] = {100, 130 * 130, 121, 12 * 12};
+    const auto more = static_cast<std::uint64_t>(options.antialiasing.more_samples());
+    EXPECT_EQ(c.camera_rays, expected[static_cast<int>(method)] + more * c.antialiased_pixels);
     EXPECT_EQ(whole.image.pixel(139, 145)[0], 0.0f);
     EXPECT_EQ(whole.image.pixel(145, 145)[0], 1.0f);
   }

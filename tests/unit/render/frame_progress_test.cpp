@@ -23,7 +23,7 @@ struct Said final : Progress {
 };
 
 /// 100 x 100 pixels.
-FilmSetup setup_of(int method) {
+FilmSetup setup_of(AntialiasingMethod method) {
   FilmSetup film;
   film.width = film.height = 128;
   film.region = {0, 0, 100, 100};
@@ -36,7 +36,7 @@ FilmSetup setup_of(int method) {
 TEST(UnitCoreFrameProgress, TellsNothingInTheFirstSecondAndThenNowAndThen) {
   Said said;
   const Clock::time_point start = Clock::now();
-  FrameProgress progress(said, setup_of(0), start);
+  FrameProgress progress(said, setup_of(AntialiasingMethod::kPlain), start);
   for (int i = 1; i <= 20; ++i) {
     progress.add(0, 10, milliseconds(100), start + milliseconds(100 * i));
     EXPECT_EQ(said.fractions.size(), i < 10 ? 0u : 1u + (static_cast<unsigned>(i) - 10) / 2) << i;
@@ -46,7 +46,7 @@ TEST(UnitCoreFrameProgress, TellsNothingInTheFirstSecondAndThenNowAndThen) {
 TEST(UnitCoreFrameProgress, WhatIsLeftCostsWhatWasDone) {
   Said said;
   const Clock::time_point start = Clock::now();
-  FrameProgress progress(said, setup_of(0), start);
+  FrameProgress progress(said, setup_of(AntialiasingMethod::kPlain), start);
   // Two threads.
   progress.add(0, 1'000, milliseconds(2'000), start + milliseconds(500));
   progress.add(0, 1'500, milliseconds(2'000), start + milliseconds(2'000));
@@ -62,7 +62,7 @@ TEST(UnitCoreFrameProgress, WhatIsLeftCostsWhatWasDone) {
 TEST(UnitCoreFrameProgress, AntialiasingIsGuessedUntilItIsSeen) {
   Said said;
   const Clock::time_point start = Clock::now();
-  const FilmSetup film = setup_of(2);
+  const FilmSetup film = setup_of(AntialiasingMethod::kCorners);
   const PixelRegion traced = Film::traced_region(film);
   const std::uint64_t pixels =
       std::uint64_t{traced.right - traced.left} * (traced.bottom - traced.top);
@@ -94,7 +94,7 @@ TEST(UnitCoreFrameProgress, WhatIsKnownAlreadyIsNotLeft) {
   Said said;
   Known known;
   const Clock::time_point start = Clock::now();
-  FilmSetup film = setup_of(0);
+  FilmSetup film = setup_of(AntialiasingMethod::kPlain);
   film.ledger = &known;
   FrameProgress progress(said, film, start);
   progress.add(0, 2'500, milliseconds(1'000), start + milliseconds(1'000));
@@ -104,7 +104,8 @@ TEST(UnitCoreFrameProgress, WhatIsKnownAlreadyIsNotLeft) {
 
 TEST(UnitCoreFrameProgress, AMeterReportsAWholeJob) {
   Said said;
-  FrameProgress progress(said, setup_of(0), Clock::now() - std::chrono::seconds(5));
+  FrameProgress progress(said, setup_of(AntialiasingMethod::kPlain),
+                         Clock::now() - std::chrono::seconds(5));
   FrameMeter meter(progress);
   meter.begin(0);
   for (int i = 0; i < 9'999; ++i) meter.pixel();

@@ -99,13 +99,14 @@ std::vector<std::unique_ptr<camera::Camera>> bundle_cameras() {
 
 /// None, then each method.
 std::vector<Antialiasing> bundle_antialiasing() {
-  std::vector<Antialiasing> all(4);
-  for (int method = 0; method < 4; ++method) {
-    Antialiasing& each = all[static_cast<std::size_t>(method)];
+  using enum AntialiasingMethod;
+  std::vector<Antialiasing> all;
+  for (const auto method : {kPlain, kCentres, kCorners, kSpread, kGrid}) {
+    Antialiasing& each = all.emplace_back();
     each.method = method;
     each.threshold = 0.1;
     each.depth = 2;
-    each.jitter = method == 2 ? 1.0 : 0.0;
+    each.jitter = method == kCorners ? 1.0 : 0.0;
   }
   return all;
 }
@@ -123,7 +124,7 @@ TEST(UnitBundlePicture, HasTheBitsOfRaysThatAreTracedAlone) {
         for (const std::string_view order : shadow::order_names()) {
           if (shadow::follows_shadows(order)) continue;
           SCOPED_TRACE(std::string(camera->name()) + " " + std::string(order) + " method " +
-                       std::to_string(each.method));
+                       std::to_string(static_cast<int>(each.method)));
           EXPECT_TRUE(bundle_picture(scene, *camera, sheet, order, each, true) == alone);
         }
       }
