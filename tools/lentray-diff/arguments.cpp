@@ -180,6 +180,10 @@ class Parsing {
 
 Arguments parse_arguments(const std::vector<std::string>& words) {
   Arguments arguments;
+  if (std::ranges::find(words, "--seen") != words.end()) {
+    arguments.seen = parse_seen_arguments(words);
+    return arguments;
+  }
   arguments.stock.processes = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
   Parsing(arguments).all(words);
   return arguments;
@@ -188,6 +192,7 @@ Arguments parse_arguments(const std::vector<std::string>& words) {
 std::string usage() {
   return R"(usage: lentray-diff [options] scene.pov [options of lentray]
        lentray-diff [options] picture picture [Lens_Pixels=n]
+       lentray-diff --seen sheet sheet [options of --seen]
 
 Compares pictures of lentray with stock POV-Ray's, lens by lens. Of a scene, it
 renders both; or two pictures are given, and the pixels of a lens are, or stand
@@ -200,6 +205,9 @@ antialiases. Jitter is random in both: -J for equal pictures. Stock cannot
 antialias a mesh_camera (fractional Lens_Pixels; Snell's law at a finite
 View_Distance): there the reference is the mean of many samples. With
 Antialias_Angle=n it is the mean of n times as many views.
+
+With --seen two integral images of one sheet are compared as an eye before it
+sees them: what lens and eye blend is a mean, and the difference is of CIE L*.
 
   --grade G        exact, match (default), noise or close: what the whole must
                    reach; every lens and view must reach match at least (or G,
@@ -231,6 +239,18 @@ Antialias_Angle=n it is the mean of n times as many views.
   --scene-ini FILE an INI file that came with the scene, passed on as such
   --lentray FILE   the lentray to use (default: the one beside this program)
   --povray FILE    the stock POV-Ray to use (default: povray)
+
+With --seen:
+  --seen           compare what an eye sees of the sheet that the pictures say they
+                   are for; the options below say what they do not. --json as above
+  --out FOLDER     pictures: what is seen at the middle of the lenses, first.png
+                   and second.png, and the largest difference, heat.png
+  --arc-minutes A  what the eye tells apart (default 1)
+  --view-distance V  from the sheet to the eye: 40cm; mm without a unit
+  --dpi D|DxE      pixels an inch of the print: across the lenses, and along
+                   them
+  --lens-pixels N  pixels a lens
+  --across         the lenses lie across the upright pictures
 
 Exit status: 0 the grade is reached, 1 it is not, 2 something went wrong.
 )";

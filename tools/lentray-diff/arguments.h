@@ -5,11 +5,13 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "core/image/compare.h"
 #include "parser/options/options.h"
+#include "tools/lentray-diff/seen_arguments.h"
 #include "tools/lentray-diff/stock.h"
 
 namespace lentray::diff {
@@ -19,6 +21,7 @@ namespace lentray::diff {
 enum class AskNoise { where_it_is, always, never };
 
 struct Arguments {
+  std::optional<SeenArguments> seen;            ///< --seen: nothing else counts then
   std::filesystem::path scene;                  ///< empty when two pictures are compared
   std::vector<std::filesystem::path> pictures;  ///< none or two
   core::Grade asked = core::Grade::match;

@@ -24,6 +24,7 @@
 #include "tools/lentray-diff/noise.h"
 #include "tools/lentray-diff/report.h"
 #include "tools/lentray-diff/sampling.h"
+#include "tools/lentray-diff/seen_mode.h"
 #include "tools/lentray-diff/sheet.h"
 #include "tools/lentray-diff/stock.h"
 
@@ -350,6 +351,7 @@ int only_write_wrappers(const Arguments& a) {
 }
 
 int diff(const Arguments& arguments) {
+  if (arguments.seen) return compare_seen(*arguments.seen);
   judge_outputs(arguments);
   if (arguments.stock_alone) return render_stock_alone(arguments);
   if (!arguments.wrappers.empty()) return only_write_wrappers(arguments);

@@ -121,6 +121,17 @@ StoredImage heat_map(const StoredImage& a, const StoredImage& b) {
   return image;
 }
 
+StoredImage heat_map(const std::vector<float>& differences, std::uint32_t width,
+                     std::uint32_t height) {
+  StoredImage image = core::black_rgb(width, height, 8);
+  for (std::uint32_t y = 0; y < height; ++y) {
+    for (std::uint32_t x = 0; x < width; ++x) {
+      put(image, x, y, heat_colour(double{differences[std::size_t{y} * width + x]}));
+    }
+  }
+  return image;
+}
+
 StoredImage side_by_side(const StoredImage& ours, const StoredImage& stock) {
   constexpr std::uint32_t gap = 4;
   StoredImage image = core::black_rgb(3 * ours.width + 2 * gap, ours.height, 8);

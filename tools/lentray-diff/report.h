@@ -4,6 +4,7 @@
 
 #include <nlohmann/json_fwd.hpp>
 #include <string>
+#include <vector>
 
 #include "core/image/compare.h"
 #include "core/image/reader.h"
@@ -13,6 +14,11 @@ namespace lentray::diff {
 /// The largest difference of each pixel as a colour: black 0, then blue, green, yellow, red,
 /// white from 32/255 on.
 core::StoredImage heat_map(const core::StoredImage& a, const core::StoredImage& b);
+
+/// The same of differences without sign in any unit: blue 1, green 2, yellow 4, red 12, white from
+/// 32 on. A pixel each, row 0 on top.
+core::StoredImage heat_map(const std::vector<float>& differences, std::uint32_t width,
+                           std::uint32_t height);
 
 core::StoredImage side_by_side(const core::StoredImage& ours, const core::StoredImage& stock);
 
