@@ -351,6 +351,14 @@ def sheets(check, chart):
     check("reference of lens models: " in done.stderr, f"{done.stderr}")
     check(float(rows["lens-paraxial"]["rms"]) > float(rows["lens-pinhole"]["rms"]), "Snell's law is nearer to the truth")
     check("Lens models, against the truest one:" in done.stdout, f"{done.stdout}")
+    check(all(row["seen"] == "" for row in rows.values()) and "what an eye sees of the sheet is left out: " in done.stderr
+          and "infinite" in done.stderr, f"no eye is infinitely far: {done.stderr}")
+    near = [word.replace("=inf", "=40cm") for word in SHEET]
+    done = chart.run("--out", "near-sheet", *near, "--only", "lens_model", "--no-stock")
+    check(done.returncode == 0, f"a sheet before an eye: {done.returncode}, {done.stderr}")
+    for row in chart.rows("near-sheet").values():
+        check(row["seen"] != "" and 0 <= float(row["seen"]) < 50, f"a sheet as an eye sees it: {row}")
+        check((float(row["seen"]) == 0) <= (float(row["rms"]) < 1), f"what is not seen is small: {row}")
 
 
 def main():

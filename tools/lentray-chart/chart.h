@@ -50,6 +50,8 @@ struct Error {
   double share = 0.0;               ///< of the pixels that differ by more than 1/255
   double largest = 0.0;             ///< of a pixel, 1/255
   std::optional<double> perceived;  ///< Butteraugli's 3-norm; nothing where it cannot be had
+  /// Of a lens sheet: RMS in L* of what an eye sees (lentray-diff --seen); nothing as above.
+  std::optional<double> seen{};
 };
 
 enum class State { waiting, done, failed };

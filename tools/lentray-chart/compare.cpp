@@ -2,9 +2,12 @@
 
 #include <algorithm>
 #include <limits>
+#include <nlohmann/json.hpp>
 
 #include "core/image/reader.h"
 #include "tools/common/duration.h"
+#include "tools/common/json_text.h"
+#include "tools/common/process.h"
 #include "tools/lentray-chart/errors.h"
 #include "tools/lentray-chart/reference.h"
 
@@ -143,6 +146,34 @@ class Perception {
   bool m_missing = false;
 };
 
+/// What an eye sees of a lens sheet, as lentray-diff measures it.
+class Sight {
+ public:
+  explicit Sight(const Session& session)
+      : m_session(session), m_missing(!session.state.chart.is_sheet) {}
+
+  std::optional<double> of(const std::string& reference, const std::string& picture) {
+    if (m_missing) return std::nullopt;
+    const ChartFolder& folder = m_session.folder;
+    const std::string diff = m_session.arguments.diff.string();
+    const fs::path figures = folder.own("seen.json");
+    const Outcome outcome =
+        m_session.runner.run({diff, "--seen", folder.file(reference).string(),
+                              folder.file(picture).string(), "--json", figures.string()});
+    if (outcome.status != 0) {
+      m_missing = true;
+      m_session.progress.say("what an eye sees of the sheet is left out: " +
+                             reason_of(outcome, diff));
+      return std::nullopt;
+    }
+    return tool::parse_json(tool::read_text(figures)).at("l_star").at("rms").get<double>();
+  }
+
+ private:
+  const Session& m_session;
+  bool m_missing;
+};
+
 /// Whether the error of `plain` is known and `p` has the same picture and reference.
 bool has_picture_of(const Point& plain, const Point& p) {
   return &plain != &p && plain.error && !is_lens(p) && p.from_plain && p.from_plain->largest == 0.0;
@@ -150,7 +181,7 @@ bool has_picture_of(const Point& plain, const Point& p) {
 
 /// All that one reference says of the points it is for.
 void compare_with(Session& session, const Reference& reference, bool of_lens_models,
-                  Perception& perception) {
+                  Perception& perception, Sight& sight) {
   if (reference.picture.empty()) return;
   const ChartFolder& folder = session.folder;
   std::optional<core::StoredImage> truth;
@@ -169,6 +200,7 @@ void compare_with(Session& session, const Reference& reference, bool of_lens_mod
       const core::StoredImage picture = shown_picture(folder.file(p.picture));
       p.error = error_of(picture, *truth);
       p.error->perceived = perception.of(reference.picture, p.picture);
+      p.error->seen = sight.of(reference.picture, p.picture);
       p.difference = "pictures/" + p.setting.id + "-difference.png";
       core::write_stored(difference_of(picture, *truth), folder.file(p.difference));
     }
@@ -208,9 +240,12 @@ void make_references(Session& session) {
 void compare_points(Session& session) {
   compare_with_plain(session);
   Perception perception(session);
+  Sight sight(session);
   const Chart& chart = session.chart();
-  compare_with(session, chart.reference, false, perception);
-  if (chart.lens_reference) compare_with(session, *chart.lens_reference, true, perception);
+  compare_with(session, chart.reference, false, perception, sight);
+  if (chart.lens_reference) {
+    compare_with(session, *chart.lens_reference, true, perception, sight);
+  }
 }
 
 std::vector<std::string> broken_promises(const Chart& chart) {

@@ -18,7 +18,7 @@ core::StoredImage shown_picture(const std::filesystem::path& file);
 /// Whether it is one that can be read.
 bool is_picture(const std::filesystem::path& file);
 
-/// All but `perceived`.
+/// All but `perceived` and `seen`.
 Error error_of(const core::StoredImage& a, const core::StoredImage& b);
 
 /// Eight times the difference of each channel, cut off at white; 8 bits.

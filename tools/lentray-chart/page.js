@@ -55,7 +55,8 @@ function errorList(error) {
     ["PSNR", error.psnr !== undefined && `${fixed(error.psnr, 1)} dB`],
     ["beyond 1/255", error.share !== undefined && `${percent(error.share)} of the pixels`],
     ["largest", error.largest !== undefined && `${figure(error.largest)} / 255`],
-    ["perceived", error.perceived !== undefined && `${figure(error.perceived)} (Butteraugli)`]]);
+    ["perceived", error.perceived !== undefined && `${figure(error.perceived)} (Butteraugli)`],
+    ["seen", error.seen !== undefined && `${figure(error.seen)} L*, rms`]]);
 }
 
 function badgesOf(point) {

@@ -29,6 +29,7 @@ void put_error(json& out, const char* name, const std::optional<Error>& error) {
   put_number(one, "share", error->share);
   put_number(one, "largest", error->largest);
   if (error->perceived) put_number(one, "perceived", *error->perceived);
+  if (error->seen) put_number(one, "seen", *error->seen);
 }
 
 void put_place(json& out, const char* name, const std::optional<std::size_t>& place) {

@@ -110,6 +110,7 @@ std::string row(const Chart& chart, const Point& p) {
          cell_of(of(p.error, &Error::share), share_text) +
          cell_of(of(p.error, &Error::largest), figure) +
          cell_of(p.error ? p.error->perceived : std::nullopt, figure) +
+         cell_of(p.error ? p.error->seen : std::nullopt, figure) +
          cell_of(of(p.from_plain, &Error::rms), figure) + cell_of(p.stock_cpu_s, time_text) +
          cell_of(of(p.from_stock, &Error::rms), figure);
   return out + "</tr>\n";

@@ -36,6 +36,7 @@ static void json_members(auto& io, tool::Of<Error> auto& e) {
   io("largest", e.largest);
   io("psnr", e.psnr);
   io("perceived", e.perceived);
+  io("seen", e.seen);
 }
 
 static void json_members(auto& io, tool::Of<Point> auto& p) {

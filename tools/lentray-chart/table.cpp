@@ -31,7 +31,8 @@ std::string row(const Point& p) {
   }
   out += std::to_string(p.cpu_s.size()) + "," + figures(p.error) + "," +
          (p.error && p.error->perceived ? number(*p.error->perceived) : "") + "," +
-         yes(p.told_apart) + "," + yes(p.on_front) + "," + tool::csv_field(p.dominated_by) + ",";
+         (p.error && p.error->seen ? number(*p.error->seen) : "") + "," + yes(p.told_apart) + "," +
+         yes(p.on_front) + "," + tool::csv_field(p.dominated_by) + ",";
   out += (p.from_plain ? number(p.from_plain->rms) + "," + number(p.from_plain->largest) : ",");
   out += "," + (p.stock_cpu_s ? number(*p.stock_cpu_s) : "") + "," +
          (p.stock_error ? number(p.stock_error->rms) : "") + "," + figures(p.from_stock) + ",";
@@ -70,7 +71,7 @@ std::string front_of(const Chart& chart, bool lens_models) {
 std::string csv_of(const Chart& chart) {
   std::string out =
       "id,kind,label,options,state,reason,cpu_s,cpu_least_s,cpu_most_s,repeats,rms,psnr,share,"
-      "largest,perceived,told_apart,on_front,dominated_by,from_plain_rms,from_plain_largest,"
+      "largest,perceived,seen,told_apart,on_front,dominated_by,from_plain_rms,from_plain_largest,"
       "stock_cpu_s,stock_rms,from_stock_rms,from_stock_psnr,from_stock_share,from_stock_largest,"
       "picture,command\n";
   for (const Point& p : chart.points) out += row(p);

@@ -100,23 +100,34 @@ EyeMeasure measure_of(const SheetPicture& picture, const fs::path& path) {
   }
 }
 
-void refuse_others(const SheetPicture& a, const SheetPicture& b) {
-  std::string why = other_sheet(a.sheet, b.sheet);
-  if (a.shown.width != b.shown.width || a.shown.height != b.shown.height) {
-    why = formed("%u x %u and %u x %u pixels", a.shown.width, a.shown.height, b.shown.width,
-                 b.shown.height);
+void refuse_others(const SeenResult& first, const SheetPicture& second) {
+  std::string why = other_sheet(first.sheet, second.sheet);
+  if (first.width != second.shown.width || first.height != second.shown.height) {
+    why = formed("%u x %u and %u x %u pixels", first.width, first.height, second.shown.width,
+                 second.shown.height);
   }
   if (!why.empty()) throw ImageError("two pictures of one sheet are expected, not " + why);
 }
 
+/// What is seen of the first picture alone.
+SeenResult seen_of(const SheetPicture& picture, const fs::path& path) {
+  SeenResult out{picture.sheet,
+                 picture.shown.width,
+                 picture.shown.height,
+                 measure_of(picture, path),
+                 {},
+                 {},
+                 {}};
+  out.first = sight_of(out.measure, picture.shown);
+  return out;
+}
+
+/// One picture is in memory at a time: sheets are large.
 SeenResult measured(const SeenArguments& arguments) {
   const fs::path& path = arguments.pictures[0];
-  const SheetPicture first = read_sheet(path, arguments);
+  SeenResult out = seen_of(read_sheet(path, arguments), path);
   const SheetPicture second = read_sheet(arguments.pictures[1], arguments);
-  refuse_others(first, second);
-  SeenResult out{
-      first.sheet, first.shown.width, first.shown.height, measure_of(first, path), {}, {}, {}};
-  out.first = sight_of(out.measure, first.shown);
+  refuse_others(out, second);
   out.second = sight_of(out.measure, second.shown);
   out.differences = seen_differences(out.measure, out.first.luminance, out.second.luminance);
   return out;

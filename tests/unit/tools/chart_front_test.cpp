@@ -193,6 +193,7 @@ TEST(UnitChartTable, CsvHasARowASetting) {
                   Point{{"c", "l, \"c\"", Kind::media, {}}}};
   chart.points[0].cpu_s = {2, 1, 4};
   chart.points[0].error->perceived = 1.25;
+  chart.points[0].error->seen = 0.375;
   chart.points[0].stock_runs = {7};
   chart.points[0].stock_error = Error{0.75, 50, 0, 1, {}};
   chart.points[0].from_stock = Error{0.125, 60, 0.5, 3, {}};
@@ -206,14 +207,15 @@ TEST(UnitChartTable, CsvHasARowASetting) {
   const auto commas = [](const std::string& s) { return std::ranges::count(s, ','); };
   EXPECT_EQ(commas(lines[0]), commas(lines[1]));
   EXPECT_EQ(commas(lines[0]), commas(lines[2]));
-  EXPECT_EQ(lines[1],
-            "a,antialiasing,label of a,+Ra,done,,2,1,4,3,0.5,40,0,0,1.25,yes,yes,,0.25,2,7,0.75,"
-            "0.125,60,0.5,3,pictures/a.png,lentray a.pov +Ra");
+  EXPECT_EQ(
+      lines[1],
+      "a,antialiasing,label of a,+Ra,done,,2,1,4,3,0.5,40,0,0,1.25,0.375,yes,yes,,0.25,2,7,0.75,"
+      "0.125,60,0.5,3,pictures/a.png,lentray a.pov +Ra");
   EXPECT_EQ(lines[2],
-            "b,antialiasing,label of b,+Rb,done,,3,3,3,1,0,inf,0,0,,yes,yes,,,,,,,,,,,"
+            "b,antialiasing,label of b,+Rb,done,,3,3,3,1,0,inf,0,0,,,yes,yes,,,,,,,,,,,"
             "lentray a.pov +Rb");
   EXPECT_EQ(lines[3],
-            "c,media,\"l, \"\"c\"\"\",,failed,no such method,,,,0,,,,,,yes,no,,,,,,,,,,,"
+            "c,media,\"l, \"\"c\"\"\",,failed,no such method,,,,0,,,,,,,yes,no,,,,,,,,,,,"
             "lentray a.pov");
 }
 

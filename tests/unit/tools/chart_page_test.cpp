@@ -100,10 +100,12 @@ TEST(UnitChartPage, RowsSortByWhatTheyMean) {
   Chart chart = sample_chart({plain_point(2.0, 0.0)});
   chart.points[0].stock_cpu_s = 14.0;
   chart.points[0].error->perceived = 0.25;
+  chart.points[0].error->seen = 0.625;
   const std::string row = table_rows(chart);
   for (const char* cell :
        {"data-value=\"2\"", "data-value=\"inf\">equal", "data-value=\"14\">14.00 s",
-        "data-value=\"0.25\">0.250", "title=\"1.80 s to 2.40 s\"", "<td data-value=\"\"></td>"}) {
+        "data-value=\"0.25\">0.250", "data-value=\"0.625\">0.625", "title=\"1.80 s to 2.40 s\"",
+        "<td data-value=\"\"></td>"}) {
     EXPECT_NE(row.find(cell), std::string::npos) << cell << " in " << row;
   }
 }

@@ -47,7 +47,7 @@ ChartState full_state() {
   p.cpu_s = {0.1, 1e-9};
   p.picture = "p";
   p.difference = "d";
-  p.error = Error{1.5, 44.0, 0.25, 9.0, 0.75};
+  p.error = Error{1.5, 44.0, 0.25, 9.0, 0.75, 0.6};
   p.from_plain = Error{0.0, std::numeric_limits<double>::infinity(), 0.0, 0.0, {}};
   p.from_stock = Error{1e-4, 120.0, 0.0, 0.5, {}};
   p.stock_runs = {2.0};
@@ -69,6 +69,8 @@ TEST(UnitChartState, IsReadBackAsItWas) {
   EXPECT_TRUE(p.setting.is_plain && std::isinf(p.from_plain->psnr));
   EXPECT_EQ(p.error->perceived, 0.75);
   EXPECT_FALSE(p.from_plain->perceived);
+  EXPECT_EQ(p.error->seen, 0.6);
+  EXPECT_FALSE(p.from_plain->seen);
   EXPECT_EQ(p.error->psnr, 44.0);
   EXPECT_EQ(back.chart.points[1].state, State::failed);
   EXPECT_FALSE(back.chart.points[1].error);

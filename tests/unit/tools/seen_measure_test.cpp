@@ -271,8 +271,9 @@ TEST(UnitSeenMeasure, SlantedLensesAreFollowed) {
       if (!fits) continue;
       ++count;
       EXPECT_NEAR(seen.at(i, row), 0.05 * lens + 0.22, 0.001) << i << " " << row;
-      const double column = left(row + measure.first_row()) + 0.5 * kPixels;
-      EXPECT_EQ(measure.lens_at(column, row), i);
+      const double edge = std::ceil(left(row + measure.first_row()) - 0.5);
+      EXPECT_EQ(measure.lens_at(edge + 0.2, row), i);
+      EXPECT_NE(measure.lens_at(edge - 0.2, row), i);
     }
   }
   EXPECT_GT(count, 7u * measure.rows());
