@@ -244,7 +244,7 @@ def sticky(place, binaries):
 def links_of_outputs(place, binaries):
     """Links of the current folder where outputs go: they may have come with the scene. A whole name is the user's."""
     cases = [([], "a.png"), (["+Ob.png"], "b.png"), (["+O./"], "a.png"), (["+Osub/b.png"], "sub/b.png"), (["+OROOT/strangers/"], "a.png"),
-             (["Debug_File=true"], "debug.out"), (["Debug_File=t"], "t"), (["All_File=t"], "t"), (["Statistics_File=s.json"], "s.json"),
+             (["Debug_File=true"], "debug.out"), (["Debug_File=w.txt"], "w.txt"), (["All_File=w.txt"], "w.txt"), (["Statistics_File=s.json"], "s.json"),
              (["Dependencies_File=s.json"], "s.json"), (["Create_Ini=On"], "a.ini"), (["+RFO", "+RFx"], "x"),
              (["-F", "--dump-rays", "rays"], "rays"), (["+KFF2", "+Ob.png"], "b2.png"), (["+Oin/b.png"], "in")]
     for words, name in cases:
@@ -269,8 +269,8 @@ def links_of_outputs(place, binaries):
 
 def hard_links(place, binaries):
     """Files that are written in place have no second name outside, and links to nothing make no file there."""
-    for words, name, link in ((["Debug_File=t"], "t", True), (["All_File=t"], "t", True), (["Append_File=On", "Debug_File=t"], "t", True),
-                              (["Debug_File=t"], "t", False), (["All_File=t"], "t", False), (["Statistics_File=t"], "t", False)):
+    for words, name, link in ((["Debug_File=w.txt"], "w.txt", True), (["All_File=w.txt"], "w.txt", True), (["Append_File=On", "Debug_File=w.txt"], "w.txt", True),
+                              (["Debug_File=w.txt"], "w.txt", False), (["All_File=w.txt"], "w.txt", False), (["Statistics_File=t"], "t", False)):
         with tempfile.TemporaryDirectory(dir=place) as root:
             world = World(root, binaries)
             world.put("", SCENE + '#debug "alias ls=evil\\n"\n')

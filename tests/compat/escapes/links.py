@@ -13,7 +13,7 @@ plane{y,-1 pigment{granite scale .02}} sphere{0,1 pigment{function{f_noise_gener
 # The user's words, and where they write: where a link may lie.
 OUTPUTS = (
     ([], "a.png"), (["+Ob.png"], "b.png"), (["+O./"], "a.png"), (["+Osub/b.png"], "sub/b.png"), (["+OROOT/strangers/"], "a.png"),
-    (["Debug_File=true"], "debug.out"), (["Debug_File=t"], "t"), (["Append_File=On", "Debug_File=t"], "t"), (["All_File=t"], "t"),
+    (["Debug_File=true"], "debug.out"), (["Debug_File=w.txt"], "w.txt"), (["Append_File=On", "Debug_File=w.txt"], "w.txt"), (["All_File=w.txt"], "w.txt"),
     (["Statistics_File=s.json"], "s.json"), (["Dependencies_File=s.json"], "s.json"), (["Create_Ini=On"], "a.ini"),
     (["+RFO", "+RFx"], "x"), (["-F", "--dump-rays", "rays"], "rays"), (["+KFF2", "+Ob.png"], "b2.png"), (["+Oa.exr", "+FE"], "a.exr"),
     (["Lenticular=On", "Lens_Pixels=4", "View_Cameras=v.json"], "v.json"), (["Lenticular=On", "Lens_Pixels=4", "--depth-view", "d.html"], "d.html"))
