@@ -218,12 +218,14 @@ class Trial:
     def which(self, kind, radiosity, change, results):
         """"old" or "new", if that is what the pictures show."""
         if change == "now":
-            moments = {moment_of(rows) for rows in results.values()}
-            # Frames and views of one run have one moment, as have pictures of a scene that goes on.
-            for moment in moments:
-                if results == self.undisturbed(kind, radiosity, change, False, moment):
-                    return "new"
-            return None
+            # Each frame asks anew; whatever else goes on, views too, is of one moment.
+            moments = {name: moment_of(rows) for name, rows in results.items()}
+            if kind != "animation" and len(set(moments.values())) > 1:
+                return None
+            for name, rows in results.items():
+                if rows != self.undisturbed(kind, radiosity, change, False, moments[name]).get(name):
+                    return None
+            return "new" if results else None
         for name in ("new", "old"):
             if results == self.undisturbed(kind, radiosity, change, name == "new", None):
                 return name
