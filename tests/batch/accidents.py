@@ -125,10 +125,10 @@ class Inputs:
             new.rename(self.program)
 
     def command(self, going_on, extra=()):
-        size = ["+W120", "+H90", "+WT1", *KINDS[self.kind], *self.options, *extra]
+        size = ["+W120", "+H90", *KINDS[self.kind], *self.options, *extra]
         if self.kind == "batch":
             return [self.binaries / "lentray-batch", "in", "--out", "out", "--lentray", self.program, "--jobs", "1", *size]
-        return [self.program, "a.pov", "+Oa.png", "-D", *size, *(["+C"] if going_on else [])]
+        return [self.program, "a.pov", "+Oa.png", "-D", "+WT1", *size, *(["+C"] if going_on else [])]
 
     def start(self, going_on, extra=()):
         return subprocess.Popen(list(map(str, self.command(going_on, extra))), cwd=self.folder, stdin=subprocess.DEVNULL,
