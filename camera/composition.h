@@ -43,9 +43,9 @@ struct SceneDepths {
 /// Where points move by as much before the sheet as behind it. Nothing without points.
 std::optional<double> balanced_distance(const SceneDepths& seen, bool is_perspective);
 
-/// The largest m, at most 1, with which points move by at most that many pixels a view of a sheet that stands at D and
-/// shows depth as it is. A viewer's eyes would have to turn outwards to see what is farther away than the viewer's own distance
-/// makes it: that is never wanted.
+/// The largest m, at most 1, with which points move by at most that many pixels a view of a sheet
+/// that stands at D. It is also so small that a viewer's eyes need not turn outwards for anything
+/// that is visible.
 double largest_factor(const SceneDepths& seen, const Lenticular& sheet, double distance,
                       double pixels);
 

@@ -1,13 +1,16 @@
-// Sampling for the eye. Nobody sees a pixel of a print: the eye blends several rows, and the lens several columns. So the
-// samples of pixels that are seen together lie at different places of their areas, well spread, and the eye averages them.
+// Sampling for the eye. Nobody sees a pixel of a print: the eye blends several rows, and the lens
+// several columns. So the samples of pixels that are seen together lie at different places of their
+// areas, well spread, and the eye averages them.
 //
-// First each pixel has one sample. Then a pixel has depth more if its first one differs from that of a neighbour: the
-// same view's in the lenses beside it and in the rows above and below. It becomes the mean of all in linear light, each
-// clipped to what the picture's file can hold.
-// A sample's place follows from its pixel's row, lens and view and its own number, and the test looks at first samples
-// alone: a part of a picture has the whole picture's pixels.
-// Source: the constants are the inverses of the plastic number and of its square, and multiples of the golden ratio's kind that
-// keep neighbours apart; measured by tests/bench/seen.py (docs/accuracy.md).
+// First each pixel has one sample. Then a pixel has depth more if its first one differs from that
+// of a neighbour: the same view's in the lenses beside it, and in the rows above and below. It
+// becomes the mean of all in linear light, each clipped to what the picture's file can hold.
+// A sample's place follows from its pixel's row, lens and view and its own number, and the test
+// looks at first samples alone: a part of a picture has the whole picture's pixels.
+// Source: the steps from row to row and from sample to sample are those of M. Roberts' sequences of
+// three and of two dimensions ("The Unreasonable Effectiveness of Quasirandom Sequences", 2018);
+// those from lens to lens keep neighbouring lenses apart. tests/bench/eye_samples.py measures what
+// an eye sees.
 #include "core/render/film_of.h"
 
 #include <algorithm>

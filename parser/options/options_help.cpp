@@ -119,7 +119,7 @@ constexpr OptionHelp kAntialiasing[] = {
     {"Antialias_Threshold", "t", "Colours that differ by more than t, 0 to 1, are refined (0.3)."},
     {"Sampling_Method", "1|2|3",
      "1 refines whole pixels, 2 their quarters (1); 3, for prints of lens sheets, spreads the "
-     "samples of pixels that an eye blends: much less work for what is seen. To compare with "
+     "samples of pixels that an eye blends: less work for what is seen. To compare with "
      "POV-Ray take 1 or 2, to print 3. Other pictures take 3 as 2, as POV-Ray does."},
     {"Antialias_Depth", "n",
      "1 to 9 (3): rays a pixel with method 1 are n x n, with method 3 n more."},

@@ -32,7 +32,7 @@ import pictures
 KINDS = {"still": [], "sheet": ["Lenticular=On"], "animation": ["+KFF3", "Final_Clock=1"],
          "views": ["Lenticular=On", "Views=3"], "batch": []}
 CHANGES = ["scene", "include", "image", "font", "df3", "a file appears", "clock", "now", "option", "program"]
-# What the message of a refusal has to name.
+# What the message of a refusal has to name; the clock's line and option begin small and large.
 NAMES = {"scene": "scene", "include": "part.inc", "image": "tile.png", "font": "letters.ttf", "df3": "cloud.df3",
          "a file appears": "extra.inc", "clock": "lock", "now": "now", "option": "Declare", "program": "program"}
 MOMENTS = ["before it goes on", "during", "when it is done"]

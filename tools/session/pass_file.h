@@ -3,7 +3,7 @@
 // a file without that end is whole, and whoever continues it makes nothing anew.
 //
 // Passes that end within a second leave no file. Errors: parser::OptionError from go_on().
-// Threads: one at a time.
+// Threads: one at a time; bytes() and give() once the passes are done.
 #pragma once
 
 #include <chrono>
