@@ -83,6 +83,14 @@ void note_made(const fs::path& path) {
   files.inputs.erase(*number);
 }
 
+bool is_made(const fs::path& path) {
+  const auto number = plain_file(path);
+  if (!number) return false;
+  RunFiles& files = run_files();
+  const std::lock_guard lock(files.mutex);
+  return !name_of(*number, files.made).empty();
+}
+
 bool is_input(const fs::path& place) { return !input_at(place).empty(); }
 
 void check_not_input(const fs::path& place) {

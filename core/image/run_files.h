@@ -20,6 +20,9 @@ void note_input(const struct stat& status, const std::filesystem::path& path);
 /// This run made the file: what it reads of it later is its own.
 void note_made(const std::filesystem::path& path);
 
+/// Whether the run made the file that is there.
+bool is_made(const std::filesystem::path& path);
+
 /// Whether the run has read the file that is there.
 bool is_input(const std::filesystem::path& place);
 /// Throws if the run has read the file that is there; the message says under which name.

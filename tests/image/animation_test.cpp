@@ -2,7 +2,9 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <chrono>
 #include <filesystem>
+#include <thread>
 
 #include "tests/support/render.h"
 
@@ -18,6 +20,13 @@ light_source { <3,5,-4> rgb 1 }
 sphere { <2*clock-1,0,0>, 0.8 pigment { rgb <frame_number/8, clock_delta, 0.5*clock_on> } }
 box { <-1,-1,0.5>, <final_frame/10,-0.7,1> pigment { rgb <initial_frame/3, final_clock/4, initial_clock/4> }
   rotate 20*clock*y }
+)";
+
+const char* const kReading = R"(#version 3.7;
+global_settings { assumed_gamma 1 } #include "part.inc"
+#if (file_exists("extra.inc")) #include "extra.inc" #end
+camera { location <0,1,-5> look_at 0 }
+sphere { <2*clock-1,0,0>, 0.8 pigment { rgb Shade } finish { ambient 1 } }
 )";
 
 std::vector<std::string> pictures_in(const fs::path& folder) {
@@ -83,6 +92,62 @@ camera { location -3*z look_at 0 } sphere { 0, 1 pigment { rgb Seen/4 } finish {
     last = middle;
   }
   EXPECT_TRUE(fs::exists(folder / "s3.json"));
+}
+
+/// What changes once the first frame is there is named, and the frames so far stay.
+void expect_refusal(const char* file, const char* text, const char* message) {
+  const tool::TemporaryFolder folder;
+  tool::write_text(folder / "scene.pov", kReading);
+  tool::write_text(folder / "part.inc", "#declare Shade = 0.2;\n");
+  std::thread writer([&] {
+    for (int i = 0; i < 60'000 && !fs::exists(folder / "scene0001.png"); ++i)
+      std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    tool::write_text(folder / "new", text);
+    fs::rename(folder / "new", folder / file);
+  });
+  const tool::RunResult run =
+      run_lentray({"+Iscene.pov", "+W16", "+H12", "+KFF5000", "-V"}, folder.path());
+  writer.join();
+  EXPECT_EQ(run.status, 1);
+  EXPECT_NE(run.output.find(message), std::string::npos) << run.output;
+  EXPECT_TRUE(fs::exists(folder / "scene0001.png"));
+  EXPECT_FALSE(fs::exists(folder / "scene5000.png"));
+}
+
+TEST(ImageAnimation, AnIncludeThatChangesDuringARunEndsIt) {
+  expect_refusal("part.inc", "#declare Shade = 0.9;\n", "part.inc has changed");
+}
+TEST(ImageAnimation, ASceneThatChangesDuringARunEndsIt) {
+  expect_refusal("scene.pov", "camera { }\n", "the scene has changed");
+}
+TEST(ImageAnimation, AFileThatAppearsDuringARunEndsIt) {
+  expect_refusal("extra.inc", "#declare Shade = 0.9;\n", "extra.inc has come to be");
+}
+
+/// Photons that the first frame saves, what frames write, pictures of frames before, and a file for each frame.
+TEST(ImageAnimation, AFrameReadsWhatTheRunMade) {
+  const tool::TemporaryFolder folder;
+  tool::write_text(folder / "part1.inc", "#declare Shade = 0.2;\n");
+  tool::write_text(folder / "part2.inc", "#declare Shade = 0.4;\n");
+  tool::write_text(folder / "part3.inc", "#declare Shade = 0.6;\n");
+  tool::write_text(folder / "scene.pov", R"(#version 3.7;
+#include concat("part", str(frame_number, 0, 0), ".inc")
+#if (file_exists("log.txt")) #fopen Out "log.txt" append #else #fopen Out "log.txt" write #end
+#write (Out, frame_number, ",\n") #fclose Out
+#declare Before = concat("scene", str(frame_number - 1, 0, 0), ".png");
+global_settings { assumed_gamma 1
+  photons { count 500 #if (file_exists("a.ph")) load_file "a.ph" #else save_file "a.ph" #end } }
+camera { location -3*z look_at 0 }
+light_source { <2, 3, -4> rgb 1 photons { reflection on refraction on } }
+sphere { 0, 1 pigment { rgbf 0.9 } interior { ior 1.5 } photons { target refraction on } }
+plane { z, 2 #if (file_exists("scene1.png") & frame_number > 1) pigment { image_map { png Before } }
+  #else pigment { rgb Shade } #end }
+)");
+  const tool::RunResult run =
+      run_lentray({"+Iscene.pov", "+W16", "+H12", "+KFF3", "-V"}, folder.path());
+  ASSERT_EQ(run.status, 0) << run.output;
+  EXPECT_TRUE(fs::exists(folder / "a.ph"));
+  EXPECT_TRUE(fs::exists(folder / "scene3.png"));
 }
 
 }  // namespace

@@ -90,6 +90,13 @@ std::string expanded(const std::string& command, const CommandContext& c) {
   return out;
 }
 
+bool has_frame_commands(const parser::RenderOptions& options) {
+  return std::ranges::any_of(
+      std::array{CommandKind::kPreFrame, CommandKind::kPostFrame}, [&options](CommandKind kind) {
+        return !options.commands[static_cast<std::size_t>(kind)].text.empty();
+      });
+}
+
 Commands::Commands(const parser::RenderOptions& options,
                    const std::vector<parser::PovrayConf>& confs, const MessageForm& form)
     : m_options(options), m_form(form) {

@@ -43,6 +43,9 @@ class Commands {
   bool m_allowed = false;
 };
 
+/// Whether there are commands between frames, which may change what the scene reads.
+bool has_frame_commands(const parser::RenderOptions& options);
+
 /// The INI file's name of a command: "Pre_Scene_Command".
 const char* name_of(parser::CommandKind kind);
 

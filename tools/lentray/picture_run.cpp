@@ -135,7 +135,7 @@ void parse_alone(Run& run, const Picture& what, const std::atomic<bool>& cancel)
   const std::string dump = o.dump ? json_text(parser::scene_json(scene, sources), 1) : "";
   parser::BuildReport report;
   parser::build_scene(scene, diagnostics, reading.build, &report);
-  if (what.is_read) what.is_read();
+  if (what.is_read) what.is_read(disk);
   run.warnings.say();
   refuse_if_strict(o, report.not_rendered);
   if (o.dump) std::puts(dump.c_str());
@@ -159,11 +159,7 @@ bool can_share(const Picture& what, const Reading& reading) {
   const RenderOptions& o = what.options;
   if (!what.kept || !what.kept->sheet || o.animation.views.count == 0) return false;
   if (!what.kept->session->serves(reading.parser)) return false;
-  const auto has_command = [&o](parser::CommandKind kind) {
-    return !o.commands[static_cast<std::size_t>(kind)].text.empty();
-  };
-  if (!has_command(parser::CommandKind::kPreFrame) && !has_command(parser::CommandKind::kPostFrame))
-    return true;
+  if (!has_frame_commands(o)) return true;
   return change_in(what.kept->disk.seen(), what.scene).empty();
 }
 
@@ -445,7 +441,7 @@ Status make_picture(Run& run, const Picture& what, const std::atomic<bool>& canc
   find_scene(run, what, cancel);
   Session& session = *what.kept->session;
   check_outputs(run);  // now that all inputs are known
-  if (what.is_read) what.is_read();
+  if (what.is_read) what.is_read(what.kept->disk);
   run.warnings.say();
   refuse_if_strict(o, session.not_rendered());
   write_view_cameras(run.camera, o);

@@ -17,6 +17,7 @@
 #include "tools/lentray/message_form.h"
 #include "tools/lentray/run.h"
 #include "tools/lentray/warnings.h"
+#include "tools/session/scene_disk.h"
 
 namespace lentray::tool {
 
@@ -31,7 +32,8 @@ struct Picture {
   bool is_last = true;                          ///< the program ends after it
   bool is_frame = false;                        ///< of an animation
   std::optional<camera::SceneDepths> depths{};  ///< of all of it (tools/lentray/frame_depths.h)
-  std::function<void()> is_read{};              ///< called when all that the scene reads is known
+  /// Called when all that the scene reads is known; what it throws ends the picture.
+  std::function<void(const SceneDisk&)> is_read{};
 };
 
 /// Whether a run with these options makes pictures, rather than prints about the scene.

@@ -3,6 +3,7 @@
 #include <cstdio>
 #include <filesystem>
 #include <memory>
+#include <set>
 
 #include "core/image/run_files.h"
 #include "core/image/writer.h"
@@ -15,6 +16,7 @@
 #include "tools/lentray/picture_run.h"
 #include "tools/session/picture_journal.h"
 #include "tools/session/scene_file.h"
+#include "tools/session/seen.h"
 
 namespace lentray::tool {
 namespace {
@@ -90,11 +92,33 @@ class Loop {
     if (m_is_animation) m_form.begin_frame(one, frame.clock, i + 1, m_frames.size());
     const bool is_last = i + 1 == m_frames.size();
     return run_picture({one, frame.clock, m_scene, m_kept, is_last, m_is_animation, m_depths,
-                        [this] {
+                        [this](const SceneDisk& disk) {
+                          keep_to_one_version(disk);
                           m_form.texts().keep();
                           write_ini();
                         }},
                        m_cancel, m_form, m_warnings);
+  }
+
+  /// All frames are of one version of their files, but for those that the run itself wrote. A command between frames
+  /// may be there to change them.
+  void keep_to_one_version(const SceneDisk& disk) {
+    if (has_frame_commands(m_options)) return;
+    m_written.insert(disk.written().begin(), disk.written().end());
+    Seen seen = disk.seen();
+    const auto is_own = [this](const std::string& path) {
+      return m_written.contains(path) || core::is_made(path);
+    };
+    std::erase_if(seen.files, [&](const auto& file) { return is_own(file.first); });
+    std::erase_if(seen.missing, is_own);
+    std::erase_if(seen.there, is_own);
+    if (const std::string change = change_in_common(m_seen, seen); !change.empty()) {
+      throw parser::OptionError("the frames would be of two versions: " + change +
+                                " since the first of this run was read");
+    }
+    m_seen.files.merge(seen.files);
+    m_seen.missing.merge(seen.missing);
+    m_seen.there.merge(seen.there);
   }
 
   /// Frames say that they are finished only while there is one that is not. Of the first `count`.
@@ -156,6 +180,8 @@ class Loop {
   const std::optional<camera::SceneDepths> m_depths;
   std::shared_ptr<SceneInUse> m_kept;
   bool m_has_ini = false;
+  Seen m_seen;                      ///< by the frames so far
+  std::set<std::string> m_written;  ///< paths, by their scene
 };
 
 Status run_loop(const RenderOptions& options, Loop& loop, MessageForm& form) {

@@ -6,6 +6,7 @@
 #include <memory>
 #include <nlohmann/json_fwd.hpp>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -25,6 +26,8 @@ class SceneDisk {
   parser::Files& files() { return *m_watched; }
   /// With checksums alone, the scene's own under "", as identities have it.
   Seen seen() const;
+  /// Paths that the scene wrote.
+  const std::set<std::string>& written() const { return m_watched->written(); }
   /// What a Dependencies_File says: read, missing, found and written files, and what the scene asked for besides.
   /// `program`: its checksum.
   nlohmann::json dependencies(const nlohmann::json& program, const Seen& seen) const;

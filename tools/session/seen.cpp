@@ -100,6 +100,22 @@ std::string change_of(const Seen& then, const Seen& now) {
   return "";
 }
 
+std::string change_in_common(const Seen& then, const Seen& now) {
+  for (const auto& [path, stamp] : now.files) {
+    const auto at = then.files.find(path);
+    if (at != then.files.end() && at->second.sum != stamp.sum)
+      return std::string(shown(path)) + " has changed";
+    if (then.missing.contains(path)) return path + " has come to be";
+  }
+  for (const std::string& path : now.there) {
+    if (then.missing.contains(path)) return path + " has come to be";
+  }
+  for (const std::string& path : now.missing) {
+    if (then.files.contains(path) || then.there.contains(path)) return path + " is gone";
+  }
+  return "";
+}
+
 std::optional<FileStamp> stamp_of(const std::filesystem::path& path) {
   const std::int64_t before = now();
   const auto sum = parser::file_checksum(path.string());

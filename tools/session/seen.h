@@ -40,6 +40,8 @@ struct Seen {
 std::string change_in(const Seen& seen, const std::string& scene = "");
 /// What another reading saw otherwise.
 std::string change_of(const Seen& then, const Seen& now);
+/// The same, but only of paths that both asked for: frames of one animation read what they need.
+std::string change_in_common(const Seen& then, const Seen& now);
 
 /// Of a file as it is. Empty if it cannot be read.
 std::optional<FileStamp> stamp_of(const std::filesystem::path& path);

@@ -86,6 +86,18 @@ TEST_F(UnitSeen, NamesWhatAnotherReadingSawOtherwise) {
   EXPECT_EQ(with([](Seen& s) { s.now = 9001.0; }), "the scene asks for `now`, which is another");
 }
 
+TEST_F(UnitSeen, FramesNeedAgreeOnlyOfWhatBothAskedFor) {
+  const Seen then{{{"", {1}}, {"a.inc", {2}}}, {"vain"}, {"found"}, "a.pov", 9000.5};
+  EXPECT_EQ(change_in_common(then, {{{"", {1}}, {"b.inc", {3}}}, {"other"}, {"else"}, "", 9001.0}),
+            "");
+  EXPECT_EQ(change_in_common(then, {{{"a.inc", {3}}}}), "a.inc has changed");
+  EXPECT_EQ(change_in_common(then, {{{"vain", {3}}}}), "vain has come to be");
+  EXPECT_EQ(change_in_common(then, {{}, {}, {"vain"}}), "vain has come to be");
+  EXPECT_EQ(change_in_common(then, {{}, {"found"}}), "found is gone");
+  EXPECT_EQ(change_in_common(then, {{}, {"a.inc"}}), "a.inc is gone");
+  EXPECT_EQ(change_in_common(then, {{{"found", {3}}}, {}, {"a.inc"}}), "");
+}
+
 TEST_F(UnitSeen, AnIdentityIsReadBackAndNamesWhatDiffers) {
   const Identity one{"1.0 abc",
                      "Width=1\nDeclare=\"A=\n\"\n",
