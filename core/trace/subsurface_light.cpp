@@ -125,8 +125,14 @@ SubsurfaceLight::Exit SubsurfaceLight::exit_at(const Surface& surface,
 
 /// A ray in a solid. No kind of rays sees all objects; this one passes by those with no_radiosity alone.
 bool SubsurfaceLight::nearest(const Ray& ray, double from, double to, Hit& hit) {
-  return m_context.scene.hierarchy().nearest(ray, from, to, RayKind::kGather, hit, m_context.lists,
-                                             m_context.tests);
+  // Blobs pass over what is near to a ray's start, but not, as in stock, to the start of such a ray: it starts before.
+  constexpr double kBefore = 0.02;
+  const Ray before{ray.origin - ray.direction * kBefore, ray.direction};
+  const bool is_met =
+      m_context.scene.hierarchy().nearest(before, from + kBefore, to + kBefore, RayKind::kGather,
+                                          hit, m_context.lists, m_context.tests);
+  hit.t -= kBefore;
+  return is_met;
 }
 
 Rgb SubsurfaceLight::at(const Surface& surface, const SubsurfaceFinish& finish, const Rgb& pigment,

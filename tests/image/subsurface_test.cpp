@@ -70,6 +70,12 @@ INSTANTIATE_TEST_SUITE_P(
              "sphere { <0, 0, -0.5>, 0.8 pigment { rgb 0.9 } finish { diffuse 0.9 subsurface { "
              "translucency 60 } } interior { ior 1.1 } } sphere { <0.6, 0, 1.6>, 1 pigment { rgb "
              "<0.9, 0.4, 0.2> } finish { subsurface { translucency 40 } } interior { ior 1.1 } }"},
+        Case{"Blob",
+             "blob { threshold 0.5 cylinder { -y, y, 1, 1 } sphere { <0, 1, -0.3>, 0.5, -1 } "
+             "pigment { rgb <0.8, 0.5, 0.01> } finish { diffuse 0.6 subsurface { translucency "
+             "<2.5, 1.5, "
+             "0.5> } } interior { ior 1.45 } }",
+             "mm_per_unit 40 subsurface { samples 100, 20 }"},
         Case{"Radiosity", kBall,
              "subsurface { samples 50, 20 } radiosity { count 60 error_bound 0.6 }"}),
     [](const auto& one) { return std::string(one.param.name); });
