@@ -41,6 +41,7 @@ Lenticular::Column Lenticular::make_column(const LensColumn& c) const {
   out.dark = c.dark;
   out.axis = m_place.centre + m_place.right * (c.axis * m_scale);
   out.slope = m_place.right * scene_slope(c) + m_place.normal + m_place.up * m_place.eye_slope_y;
+  if (has_near_eye()) return out;
   out.start = out.axis - out.slope * m_place.front;
   out.unit = core::normalized(out.slope);
   return out;
