@@ -33,7 +33,12 @@ Lenticular::Lenticular(const LensParameters& lens, const SheetPlacement& placeme
     m_place.front = eye_distance();
   }
   m_columns.reserve(width);
-  for (std::uint32_t k = 0; k < width; ++k) m_columns.push_back(make_column(m_sheet.column(k)));
+  for (std::uint32_t k = 0; k < width; ++k) {
+    const std::int64_t of = m_sheet.lens_of(k);
+    m_columns.push_back(make_column(m_sheet.column(k)));
+    m_columns.back().lens = of;
+    m_columns.back().view = k - core::LensColumns{lens.pixels}.first_column(of);
+  }
 }
 
 Lenticular::Column Lenticular::make_column(const LensColumn& c) const {
@@ -124,9 +129,8 @@ core::PixelPlace Lenticular::place_at(double at, double row, double cell) const 
 }
 
 core::EyePlace Lenticular::eye_place(std::uint32_t column, std::uint32_t row) const {
-  const core::LensColumns columns{m_sheet.lens().pixels};
-  const std::int64_t lens = columns.lens_of(column);
-  return {lens, row, column - columns.first_column(lens)};
+  const Column& c = m_columns[column];
+  return {c.lens, row, c.view};
 }
 
 core::PixelLattice Lenticular::lattice(std::uint32_t width) const {

@@ -118,6 +118,8 @@ class Lenticular : public Camera {
     core::Vec3 slope;  ///< tan t r + d + eye_slope_y u
     core::Vec3 start;  ///< V infinite: axis - front slope
     core::Vec3 unit;   ///< V infinite: slope, unit
+    std::int64_t lens = 0,
+                 view = 0;  ///< of a pixel's column: views count from the lens's left edge
     bool dark = false;
   };
   Column make_column(const LensColumn& c) const;

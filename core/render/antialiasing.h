@@ -28,8 +28,9 @@ struct Antialiasing {
   double jitter = 1.0;  ///< 0: none
   double gamma = 2.5;   ///< in which colours are compared; 0: as they are
 
-  bool blends_light = false;  ///< kGrid: means are of linear light, as those of kSpread
-  float most = 1.0f;          ///< linear light that the picture's file can hold; infinite: any
+  bool blends_light =
+      false;          ///< kGrid: samples are spread, means of linear light, as those of kSpread
+  float most = 1.0f;  ///< linear light that the picture's file can hold; infinite: any
 
   /// Pixels are compared with one another.
   bool compares() const {

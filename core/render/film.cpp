@@ -61,12 +61,14 @@ class PlainBand final : public OnePassBand {
 
 /// Every pixel is the mean of depth x depth samples at the middles of its cells, whatever they show:
 /// no pixel is compared with another, and there is no jitter. For references that other settings are
-/// held against.
+/// held against. In linear light they are spread for the eye, and none is a sample of a picture that is.
 class GridBand final : public OnePassBand {
  public:
   using OnePassBand::OnePassBand;
 
  private:
+  static constexpr std::uint32_t kFirstOfReference = 64;
+
   bool trace(FilmThread& thread) override {
     const int depth = m_setup.antialiasing.depth;
     const LinearLight* const light = m_setup.antialiasing.blends_light ? &m_setup.light : nullptr;
@@ -77,7 +79,9 @@ class GridBand final : public OnePassBand {
         cells * thread.pixels.size(), Sampler::Layout::kNeighbours,
         [&](std::size_t i) {
           const auto cell = static_cast<std::uint32_t>(i % cells);
-          return SamplePlace{cell_of(thread.pixels[i / cells], depth, cell), cell};
+          const Pixel& p = thread.pixels[i / cells];
+          if (light) return spread_sample(*m_setup.camera, p, kFirstOfReference + cell);
+          return SamplePlace{cell_of(p, depth, cell), cell};
         },
         [&](std::size_t i, const Sample& sample) {
           if (i % cells == 0) {

@@ -39,6 +39,8 @@ class FilmOf final : public Film {
 std::unique_ptr<Film> make_film_of_centres(FilmSetup setup, const BandOrders& orders);
 FilmColumns traced_columns_of_centres(const FilmSetup& setup);
 
+/// The place of a pixel's sample among those that an eye blends, of this pixel and of its neighbours: well apart.
+SamplePlace spread_sample(const RaySource& camera, const Pixel& pixel, std::uint32_t number);
 std::unique_ptr<Film> make_film_of_spread(FilmSetup setup, const BandOrders& orders);
 FilmColumns traced_columns_of_spread(const FilmSetup& setup);
 

@@ -41,13 +41,7 @@ struct SpreadPlan : FilmPlan {
   }
 
   SamplePlace sample(const Pixel& pixel, std::uint32_t number) const {
-    const EyePlace at = setup.camera->eye_place(pixel.column, pixel.row);
-    const auto i = static_cast<double>(2 * at.row + at.view), s = static_cast<double>(number),
-               lens = static_cast<double>(at.lens);
-    SamplePlace out{place_of(pixel), number};
-    out.place.across = part_of(0.5 + 0.81917 * i + 0.75488 * s + 0.4326 * lens);
-    out.place.down = part_of(0.5 + 0.67104 * i + 0.56984 * s + 0.3989 * lens);
-    return out;
+    return spread_sample(*setup.camera, pixel, number);
   }
 
   FilmColumns columns;
@@ -179,6 +173,16 @@ class SpreadBand final : public FilmBand {
 };
 
 }  // namespace
+
+SamplePlace spread_sample(const RaySource& camera, const Pixel& pixel, std::uint32_t number) {
+  const EyePlace at = camera.eye_place(pixel.column, pixel.row);
+  const auto i = static_cast<double>(2 * at.row + at.view), s = static_cast<double>(number),
+             lens = static_cast<double>(at.lens);
+  SamplePlace out{place_of(pixel), number};
+  out.place.across = part_of(0.5 + 0.81917 * i + 0.75488 * s + 0.4326 * lens);
+  out.place.down = part_of(0.5 + 0.67104 * i + 0.56984 * s + 0.3989 * lens);
+  return out;
+}
 
 FilmColumns traced_columns_of_spread(const FilmSetup& setup) {
   FilmColumns out{setup.region.left, setup.region.right};

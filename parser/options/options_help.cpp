@@ -129,8 +129,9 @@ constexpr OptionHelp kAntialiasing[] = {
     {"Antialias_Angle", "n", "Directions averaged within every pixel of a lens sheet (1)."},
     {"Antialias_Grid", "n",
      "Every pixel is the mean of n x n samples without jitter, up to 64 x 64, whatever the other "
-     "options for antialiasing say (0: off); with Sampling_Method=3 in linear light. For "
-     "references."},
+     "options for antialiasing say (0: off); with Sampling_Method=3 they are spread, and their "
+     "mean "
+     "is in linear light. For references."},
 };
 constexpr OptionHelp kSheet[] = {
     {"Lenticular", kSwitch, "Make an integral image: a lens sheet of the scene's camera."},
