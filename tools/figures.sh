@@ -54,7 +54,7 @@ figures() {
        --resize:filter=box 1452x360 -o docs/antialiasing.png' docs/antialiasing.png
   $1 print-pictures docs/print.md '(5 min)' \
     'lentray scenes/demo.pov Lenticular=On Lens_LPI=40 Lens_Thickness=1.9mm Lens_IOR=1.57
-       Sheet_Width=100mm Sheet_Height=75mm Print_DPI=600 View_Distance=40cm +A0.1 +Oout/sheet.png;
+       Sheet_Width=100mm Sheet_Height=75mm Print_DPI=600 View_Distance=40cm +A0.3 +AM3 +Oout/sheet.png;
      oiiotool out/sheet.png --cut 90x60+1000+1000 --resize:filter=box 720x480 -o docs/print/strip.png;
      lentray-views out/sheet.png --stereo --size 192x144 --out docs/print/eyes.png;
      lentray-print pitch-test --lpi 40 --dpi 600 --size A4 --out out/pitch.pdf;

@@ -59,7 +59,7 @@ class ComparedSpace {
   ComparedSpace(double gamma, double working_gamma)
       : m_is_srgb(working_gamma == 0.0),
         m_power(static_cast<float>(gamma > 0.0 ? (m_is_srgb ? 1.0 : working_gamma) / gamma : 1.0)),
-        m_is_plain(!(gamma > 0.0)) {}
+        m_is_root(m_power == 0.5f), m_is_plain(!(gamma > 0.0)) {}
   Compared of(const Radiance& seen) const {
     if (m_is_plain) return {seen.rgb, seen.transmit};
     return {{encoded(seen.rgb.r), encoded(seen.rgb.g), encoded(seen.rgb.b)}, seen.transmit};
@@ -70,11 +70,12 @@ class ComparedSpace {
     if (m_is_srgb) {
       value = value <= 0.04045f ? value / 12.92f : std::pow((value + 0.055f) / 1.055f, 2.4f);
     }
-    return std::pow(std::max(value, 0.0f), m_power);
+    value = std::max(value, 0.0f);
+    return m_is_root ? std::sqrt(value) : std::pow(value, m_power);
   }
   bool m_is_srgb;
   float m_power;
-  bool m_is_plain;
+  bool m_is_root, m_is_plain;
 };
 
 /// Between the scene's working space and linear light, in which an eye blends.

@@ -77,6 +77,10 @@ class FilmBand {
   virtual std::size_t jobs(std::size_t stage) const = 0;
   /// False if it was cancelled meanwhile. Different jobs of a stage: any threads at once.
   virtual bool work(std::size_t stage, std::size_t job, FilmThread& thread) = 0;
+  /// Of the picture's ledger: the last of several finds colours, those before it samples.
+  std::size_t ledger_stage(std::size_t stage) const {
+    return stages() > 1 && stage + 1 == stages() ? 1 : 0;
+  }
 };
 
 /// What all bands of a picture have in common.
@@ -99,6 +103,7 @@ struct FilmSetup {
 /// The columns that a film traces pixels of in a pixel order, for those that are asked for.
 struct FilmColumns {
   std::uint32_t left = 0, right = 0;
+  bool has(std::uint32_t column) const { return column >= left && column < right; }
 };
 
 /// A pixel's centre.

@@ -82,7 +82,7 @@ void take_jobs(Work& work) {
                     .meter = meter ? &*meter : nullptr};
   BandQueue::Job job;
   while (work.queue.next(job)) {
-    if (meter) meter->begin(job.stage);
+    if (meter) meter->begin(job.band->film->ledger_stage(job.stage));
     if (!job.band->film->work(job.stage, job.index, thread)) {
       work.queue.stop();
       break;

@@ -35,7 +35,8 @@ core::Antialiasing antialiasing(const RenderOptions& o) {
     out.depth = o.antialias_grid;
   }
   out.jitter = o.jitter ? o.jitter_amount : 0.0;
-  if (out.method != kSpread) out.gamma = o.antialias_gamma;
+  constexpr double kOfEye = 2.0;  // roots are quick, and no other power shows an eye less error
+  out.gamma = out.method == kSpread ? kOfEye : o.antialias_gamma;
   return out;
 }
 

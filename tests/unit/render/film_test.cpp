@@ -220,7 +220,8 @@ TEST(UnitCoreFilm, OnlyEdgesGetMoreSamples) {
     EXPECT_LT(edges.counters.antialiased_pixels, 500u);
     const Rendered flat = render(*disc_scene(0.0f), 64, {.method = method});
     EXPECT_EQ(flat.counters.antialiased_pixels, 0u);
-    const std::uint64_t rays[] = {0, 64u * 64 + 2 * 64, 65u * 65, 64u * 64};
+    // kSpread: every second pixel, and all of the first and last row, which nobody lies above or below.
+    const std::uint64_t rays[] = {0, 64u * 64 + 2 * 64, 65u * 65, 64u * 64 / 2 + 2 * 64 / 2};
     EXPECT_EQ(flat.counters.camera_rays, rays[static_cast<int>(method)]);
   }
   // Threshold 0: every pixel, each by its depth.
@@ -302,7 +303,7 @@ TEST(UnitCoreFilm, PartsOfAPictureTakeNoMoreThanTheirTiles) {
     const Part orders(columns);
     const Counters c = render_frame(*scene, Window(300), {300, 300, 300}, orders,
                                     PlainShadowTesterFactory(), options, whole, nullptr);
-    const std::uint64_t expected[] = {100, 130 * 130, 121, 12 * 12};
+    const std::uint64_t expected[] = {100, 130 * 130, 121, 14 * 14 / 2};
     const auto more = static_cast<std::uint64_t>(options.antialiasing.more_samples());
     EXPECT_EQ(c.camera_rays, expected[static_cast<int>(method)] + more * c.antialiased_pixels);
     EXPECT_EQ(whole.image.pixel(139, 145)[0], 0.0f);
