@@ -14,14 +14,11 @@
 #include "core/render/film_of.h"
 
 #include <algorithm>
-#include <cmath>
 #include <utility>
 #include <vector>
 
 namespace lentray::core {
 namespace {
-
-double part_of(double turns) { return turns - std::floor(turns) - 0.5; }
 
 struct SpreadPlan : FilmPlan {
   SpreadPlan(FilmSetup s, const BandOrders& o)
@@ -41,12 +38,10 @@ struct SpreadPlan : FilmPlan {
   }
 
   SamplePlace sample(const Pixel& pixel, std::uint32_t number) const {
-    const EyePlace at = setup.camera->eye_place(pixel.column, pixel.row);
-    const auto i = static_cast<double>(2 * at.row + at.view), s = static_cast<double>(number),
-               lens = static_cast<double>(at.lens);
+    const SpreadPlace at = spread_place(setup.camera->eye_place(pixel.column, pixel.row), number);
     SamplePlace out{place_of(pixel), number};
-    out.place.across = part_of(0.5 + 0.81917 * i + 0.75488 * s + 0.4326 * lens);
-    out.place.down = part_of(0.5 + 0.67104 * i + 0.56984 * s + 0.3989 * lens);
+    out.place.across = at.across;
+    out.place.down = at.down;
     return out;
   }
 
