@@ -27,10 +27,10 @@ class CameraOfOthers : public Camera {
     const Found found = find(place);
     return found.camera.ray_at(found.place, out);
   }
-  bool one_ray_at(const core::PixelPlace& place, std::uint32_t index,
+  bool one_ray_at(const core::PixelPlace& place, const core::PlaceRay& which,
                   core::Ray& out) const override {
     const Found found = find(place);
-    return found.camera.one_ray_at(found.place, index, out);
+    return found.camera.one_ray_at(found.place, which, out);
   }
   bool sight(const core::PixelPlace& place, core::Ray& out) const override {
     const Found found = find(place);

@@ -129,7 +129,8 @@ core::PixelPlace Lenticular::place_at(double at, double row, double cell) const 
 }
 
 core::EyePlace Lenticular::eye_place(std::uint32_t column, std::uint32_t row) const {
-  const Column& c = m_columns[column];
+  // Corners of pixels lie a column beyond the last.
+  const Column& c = m_columns[std::min<std::size_t>(column, m_columns.size() - 1)];
   return {c.lens, row, c.view};
 }
 

@@ -111,9 +111,9 @@ std::uint32_t MeshCamera::rays_a_place() const {
   return std::min(m_setup.rays, static_cast<std::uint32_t>(m_setup.parts.size()));
 }
 
-bool MeshCamera::one_ray_at(const core::PixelPlace& place, std::uint32_t index,
+bool MeshCamera::one_ray_at(const core::PixelPlace& place, const core::PlaceRay& which,
                             core::Ray& ray) const {
-  return from_part(m_setup.parts[index], place.column + 0.5 + place.across,
+  return from_part(m_setup.parts[which.number], place.column + 0.5 + place.across,
                    place.row + 0.5 + place.down, ray);
 }
 

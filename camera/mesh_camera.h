@@ -46,7 +46,7 @@ class MeshCamera final : public Camera {
   ~MeshCamera() override;
   bool ray(double column, double row, core::Ray& ray) const override;
   std::uint32_t rays_a_place() const override;
-  bool one_ray_at(const core::PixelPlace& place, std::uint32_t index,
+  bool one_ray_at(const core::PixelPlace& place, const core::PlaceRay& which,
                   core::Ray& ray) const override;
 
  private:

@@ -19,6 +19,13 @@ SizedView::Found SizedView::find(const core::PixelPlace& place) const {
   return {m_sheet, out};
 }
 
+bool SizedView::one_ray_at(const core::PixelPlace& place, const core::PlaceRay& which,
+                           core::Ray& out) const {
+  core::PlaceRay of_sheet = which;
+  of_sheet.through.down *= m_rows_a_row;
+  return CameraOfOthers::one_ray_at(place, of_sheet, out);
+}
+
 Properties SizedView::describe() const {
   Properties out = m_sheet.describe();
   out.emplace_back("lens.view", static_cast<double>(m_view));

@@ -4,8 +4,8 @@
 // middle of its cell. A SizedView has W x H pixels of equal shape all over the sheet: the ray of a
 // place is that of a lens whose axis lies there, with the sheet's own model. V infinite: parallel
 // rays. V finite and paraxial: the perspective of the eye at -V n e_j/f beside the sheet's own.
-// Thick: K rays a pixel. View 0 looks through the left edges of the cells, so its eye is the
-// rightmost one.
+// Thick: K rays a pixel, over its own row's height. View 0 looks through the left edges of the cells,
+// so its eye is the rightmost one.
 //
 // A Quilt puts the pictures of cameras side by side: the first one lower left, from there to the
 // right and upwards. Looking Glass displays want the leftmost camera first.
@@ -24,6 +24,8 @@ class SizedView final : public CameraOfOthers {
   /// The sheet must outlive it. view < views; width, height > 0.
   SizedView(const Lenticular& sheet, std::uint32_t view, std::uint32_t views, std::uint32_t width,
             std::uint32_t height);
+  bool one_ray_at(const core::PixelPlace& place, const core::PlaceRay& which,
+                  core::Ray& out) const override;
   core::EyePlace eye_place(std::uint32_t column, std::uint32_t row) const override {
     return {column, row, m_view};
   }

@@ -85,22 +85,22 @@ bool SlantedLenticular::ray_at(const core::PixelPlace& place, core::Ray& out) co
   return true;
 }
 
-bool SlantedLenticular::one_ray_at(const core::PixelPlace& place, std::uint32_t index,
+bool SlantedLenticular::one_ray_at(const core::PixelPlace& place, const core::PlaceRay& which,
                                    core::Ray& out) const {
   if (!m_lens) return ray_at(place, out);
   const SlantedPlace at = on_print(place);
-  const double row = place.row + 0.5 + place.down;
+  const double row = place.row + 0.5 + place.down + which.through.down;
   SheetExit exit;
   const SlopeAlong along = m_rows.along(m_rows.rise(row));
-  if (!shows(m_lens->leave(at.lens_offset, index, along, exit))) return false;
+  const double across = m_lens->at_part(which.through.across);
+  if (!shows(m_lens->leave(at.lens_offset, across, along, exit))) return false;
   place_ray(at, exit, row, out);
   return true;
 }
 
 core::EyePlace SlantedLenticular::eye_place(std::uint32_t column, std::uint32_t row) const {
   const auto at = static_cast<std::int32_t>(row);
-  const double view = m_rows.part_of_cell(column, at) * sheet().lens().pixels;
-  return {m_rows.lens_of(column, at), row, static_cast<std::int64_t>(view)};
+  return {m_rows.lens_of(column, at), row, m_rows.view_of(column, at)};
 }
 
 core::PixelLattice SlantedLenticular::lattice(std::uint32_t columns) const {
@@ -161,9 +161,9 @@ bool SlantedLenticular::may_be_dark() const {
         for (const double offset : {middle - edge, middle + edge}) {
           SheetExit exit;
           const SlopeAlong along = m_rows.along(rise);
-          const bool leaves =
-              m_lens ? m_lens->leave(offset, m_lens->rays() / 2, along, exit) == LensRayEnd::kLeaves
-                     : m_rows.slope_across(offset, along, exit.slope);
+          const bool leaves = m_lens ? m_lens->leave(offset, m_lens->middle(m_lens->rays() / 2),
+                                                     along, exit) == LensRayEnd::kLeaves
+                                     : m_rows.slope_across(offset, along, exit.slope);
           if (!leaves) return true;
         }
       }

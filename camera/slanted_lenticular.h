@@ -26,7 +26,7 @@ class SlantedLenticular final : public Lenticular {
     return sight_of_ray(place, out);
   }
   std::uint32_t rays_a_place() const override { return m_lens ? m_lens->rays() : 1; }
-  bool one_ray_at(const core::PixelPlace& place, std::uint32_t index,
+  bool one_ray_at(const core::PixelPlace& place, const core::PlaceRay& which,
                   core::Ray& out) const override;
   bool missing_rays_are_black() const override { return m_lens.has_value(); }
   core::EyePlace eye_place(std::uint32_t column, std::uint32_t row) const override;

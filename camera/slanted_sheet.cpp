@@ -70,6 +70,11 @@ double SlantedSheet::part_of_cell(std::int64_t column, std::int32_t row) const {
   return std::max(0.0, at - static_cast<double>(lens_of(column, row)));
 }
 
+std::int64_t SlantedSheet::view_of(std::int64_t column, std::int32_t row) const {
+  const double at = part_of_cell(column, row) + kOnBoundary;
+  return static_cast<std::int64_t>(std::floor(at * m_lens.pixels));
+}
+
 std::uint32_t SlantedSheet::view_column(std::uint32_t view, std::uint32_t views, std::int64_t place,
                                         std::int32_t row) const {
   const double moved = shift(row + 0.5);

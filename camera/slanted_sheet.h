@@ -72,6 +72,8 @@ class SlantedSheet {
   std::int64_t nearest_place(std::int64_t lens, std::int32_t row) const;
   /// The part of its cell at which a pixel of a row lies, 0 at the cell's left edge, below 1.
   double part_of_cell(std::int64_t column, std::int32_t row) const;
+  /// Its number among the pixels of its row that lie behind its lens, from the left.
+  std::int64_t view_of(std::int64_t column, std::int32_t row) const;
   /// The column whose pixel view j of `views` shows at place i of a row: of the nearest lens, the
   /// pixel that is nearest to the print offset ((j + 1/2)/views - 1/2) P'. Beyond the picture's edges it
   /// is that of the next lens within.

@@ -7,12 +7,7 @@ namespace lentray::camera {
 
 ThickLens::ThickLens(const LensParameters& lens)
     : m_pitch(lens.pitch), m_focal_length(lens.focal_length), m_ior(lens.ior),
-      m_radius(lens.radius()), m_edge(point_at(0.5 * lens.pitch).depth), m_vertex(point_at(0.0)) {
-  m_points.reserve(lens.rays);
-  for (std::uint32_t j = 0; j < lens.rays; ++j) {
-    m_points.push_back(point_at(((j + 0.5) / lens.rays - 0.5) * m_pitch));
-  }
-}
+      m_radius(lens.radius()), m_edge(point_at(0.5 * lens.pitch).depth), m_rays(lens.rays) {}
 
 ThickLens::Point ThickLens::point_at(double across) const {
   const double inwards = std::sqrt(std::max(0.0, (m_radius - across) * (m_radius + across)));
@@ -30,8 +25,9 @@ bool ThickLens::incidence(const Point& point, double offset, double& sine) const
   return true;
 }
 
-LensRayEnd ThickLens::through(const Point& point, double offset, const SlopeAlong& along,
-                              SheetExit& out) const {
+LensRayEnd ThickLens::leave(double offset, double across, const SlopeAlong& along,
+                            SheetExit& out) const {
+  const Point point = point_at(across);
   double sine = 0.0;
   if (!incidence(point, offset, sine)) return LensRayEnd::kHidden;
   // With T the tangent in the air against the normal, S the sine in the glass, the cross-section's
@@ -170,10 +166,10 @@ LensRayEnd ThickLens::spill(const Point& point, double sine, const SlopeAlong& a
 }
 
 bool ThickLens::is_dark(double offset, const SlopeAlong& along) const {
-  for (std::uint32_t j = 0; j < rays(); ++j) {
+  for (std::uint32_t j = 0; j < m_rays; ++j) {
     SheetExit exit;
-    const std::uint32_t from_middle = (rays() / 2 + j) % rays();
-    if (shows(leave(offset, from_middle, along, exit))) return false;
+    const std::uint32_t from_middle = (m_rays / 2 + j) % m_rays;
+    if (shows(leave(offset, middle(from_middle), along, exit))) return false;
   }
   return true;
 }

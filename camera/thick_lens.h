@@ -1,10 +1,10 @@
 // A lens of a sheet as a piece of glass with a round surface: where the light of a place in the print
-// leaves the sheet, and in which direction, for each of several points of the lens's aperture.
+// leaves the sheet, and in which direction, for each point of the lens's aperture.
 //
 // The surface is a circle's arc of radius R = f (n - 1)/n, which focuses on the print: at `a` from the
-// axis it lies R - sqrt(R^2 - a^2) behind the vertex. The aperture's points are the middles of equal
-// parts of the pitch. In the glass the ray is straight, and it refracts at the surface. A ray that
-// runs into the bulge of the next lens goes through it; the sheet is periodic and has no end.
+// axis it lies R - sqrt(R^2 - a^2) behind the vertex. The aperture is as wide as the pitch. In the
+// glass the ray is straight, and it refracts at the surface. A ray that runs into the bulge of the
+// next lens goes through it; the sheet is periodic and has no end.
 //
 // A ray that rises along the lenses, by `rise` for each mm of depth, is skew. Refraction keeps n times
 // the unit direction's part along the lenses, so the cross-section sees a flat ray in a lens of index
@@ -17,7 +17,6 @@
 #pragma once
 
 #include <cstdint>
-#include <vector>
 
 #include "camera/lens_sheet.h"
 
@@ -47,19 +46,16 @@ class ThickLens {
   /// The parameters must be valid for LensModel::kThick (complaint() empty).
   explicit ThickLens(const LensParameters& lens);
 
-  /// K, the points of the aperture.
-  std::uint32_t rays() const { return static_cast<std::uint32_t>(m_points.size()); }
-  /// The ray of a lens offset (mm) through a point of the aperture, from the left, that rises as
+  /// K, of a pixel: each goes through its own part of the aperture.
+  std::uint32_t rays() const { return m_rays; }
+  /// In mm from the axis, a place of the aperture: -0.5 to 0.5 from its middle.
+  double at_part(double part) const { return part * m_pitch; }
+  /// The middle of part j, from the left.
+  double middle(std::uint32_t j) const { return at_part((j + 0.5) / m_rays - 0.5); }
+  /// The ray of a lens offset (mm) through the aperture at `across` (mm from the axis) that rises as
   /// `along` says. `out` says nothing for a ray that shows nothing.
-  LensRayEnd leave(double offset, std::uint32_t point, const SlopeAlong& along,
-                   SheetExit& out) const {
-    return through(m_points[point], offset, along, out);
-  }
-  /// The same through the lens's vertex.
-  LensRayEnd leave_vertex(double offset, double rise, SheetExit& out) const {
-    return through(m_vertex, offset, {rise, 0.0}, out);
-  }
-  /// None of the rays of a lens offset shows anything.
+  LensRayEnd leave(double offset, double across, const SlopeAlong& along, SheetExit& out) const;
+  /// None of the rays of a lens offset through the middles of the parts shows anything.
   bool is_dark(double offset, const SlopeAlong& along) const;
 
  private:
@@ -75,8 +71,6 @@ class ThickLens {
   };
 
   Point point_at(double across) const;
-  LensRayEnd through(const Point& point, double offset, const SlopeAlong& along,
-                     SheetExit& out) const;
   /// The sine of the angle in the glass against the normal, times R; false if the straight way from the
   /// print to the point leaves the glass.
   bool incidence(const Point& point, double offset, double& sine) const;
@@ -89,8 +83,7 @@ class ThickLens {
 
   double m_pitch, m_focal_length, m_ior, m_radius;
   double m_edge;  ///< depth of the edge between two lenses
-  Point m_vertex;
-  std::vector<Point> m_points;
+  std::uint32_t m_rays;
 };
 
 }  // namespace lentray::camera

@@ -35,7 +35,7 @@ void ThickLenticular::place_ray(const LensColumn& column, const SheetExit& exit,
 
 bool ThickLenticular::through_vertex(const LensColumn& column, double row, core::Ray& out) const {
   SheetExit exit;
-  if (!shows(m_lens.leave_vertex(column.lens_offset, viewers_rise(row), exit))) return false;
+  if (!shows(m_lens.leave(column.lens_offset, 0.0, {viewers_rise(row)}, exit))) return false;
   place_ray(column, exit, row, out);
   return true;
 }
@@ -53,12 +53,13 @@ bool ThickLenticular::ray_at(const core::PixelPlace& place, core::Ray& out) cons
   return through_vertex(column_at(place), place.row + 0.5 + place.down, out);
 }
 
-bool ThickLenticular::one_ray_at(const core::PixelPlace& place, std::uint32_t index,
+bool ThickLenticular::one_ray_at(const core::PixelPlace& place, const core::PlaceRay& which,
                                  core::Ray& out) const {
   const LensColumn column = column_at(place);
-  const double row = place.row + 0.5 + place.down;
+  const double row = place.row + 0.5 + place.down + which.through.down;
+  const double across = m_lens.at_part(which.through.across);
   SheetExit exit;
-  if (!shows(m_lens.leave(column.lens_offset, index, {viewers_rise(row)}, exit))) return false;
+  if (!shows(m_lens.leave(column.lens_offset, across, {viewers_rise(row)}, exit))) return false;
   place_ray(column, exit, row, out);
   return true;
 }
@@ -85,9 +86,10 @@ bool ThickLenticular::is_never_dark(const LensColumn& column) const {
   const double most = std::max(std::fabs(first), std::fabs(last));
   const double least = first * last <= 0.0 ? 0.0 : std::min(std::fabs(first), std::fabs(last));
   for (std::uint32_t j = 0; j < m_lens.rays(); ++j) {
+    const double across = m_lens.middle(j);
     SheetExit exit;
-    if (m_lens.leave(column.lens_offset, j, {most}, exit) == LensRayEnd::kLeaves &&
-        m_lens.leave(column.lens_offset, j, {least}, exit) == LensRayEnd::kLeaves) {
+    if (m_lens.leave(column.lens_offset, across, {most}, exit) == LensRayEnd::kLeaves &&
+        m_lens.leave(column.lens_offset, across, {least}, exit) == LensRayEnd::kLeaves) {
       return true;
     }
   }
@@ -120,7 +122,7 @@ std::string ThickLenticular::dark_warning() const {
 void RayShares::add(const ThickLens& lens, double offset, const SlopeAlong& along) {
   for (std::uint32_t j = 0; j < lens.rays(); ++j) {
     SheetExit exit;
-    const LensRayEnd end = lens.leave(offset, j, along, exit);
+    const LensRayEnd end = lens.leave(offset, lens.middle(j), along, exit);
     if (end == LensRayEnd::kSpills || end == LensRayEnd::kReturns) ++spilled;
     if (!shows(end)) ++dark;
   }

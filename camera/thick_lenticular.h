@@ -1,11 +1,14 @@
 // The lenticular camera with lenses of glass: each pixel is the mean of K rays, one through each of K
-// points of its lens's aperture (camera/thick_lens.h). World space, unit directions.
+// parts of its lens's aperture (camera/thick_lens.h), at a height of its own in the pixel's row.
+// Those of pixels that an eye blends lie at different places (core/render/eye_place.h).
+// World space, unit directions.
 //
 // A ray that leaves its lens `across` from the axis and `depth` behind the vertices has the line
 // through C + (x_i + across) s r + depth s d + Y u along v = tan t r + d + (Y/V + eye_slope_y) u: the
 // row's height Y is that where the light leaves the sheet. The line starts lens_front before the
 // sheet. A ray that shows nothing is black and counts as the others do.
-// ray(), ray_at() and sight() have the ray through the lens's vertex.
+// Reports and dark pixels are of rays through the middles of the parts. ray(), ray_at() and sight()
+// have the ray through the lens's vertex, which is also that of K = 1.
 // Source: docs/lens/formulae.md.
 #pragma once
 
@@ -37,12 +40,12 @@ class ThickLenticular final : public Lenticular {
     return sight_of_ray(place, out);
   }
   std::uint32_t rays_a_place() const override { return m_lens.rays(); }
-  bool one_ray_at(const core::PixelPlace& place, std::uint32_t index,
+  bool one_ray_at(const core::PixelPlace& place, const core::PlaceRay& which,
                   core::Ray& out) const override;
   bool missing_rays_are_black() const override { return true; }
   Properties describe() const override;
 
-  /// Pixels none of whose rays shows anything.
+  /// Pixels none of whose parts shows anything at its middle.
   std::uint64_t dark_pixels() const override { return m_dark_pixels; }
   const RayShares& shares() const { return m_shares; }
   std::vector<std::string> model_report() const override;

@@ -9,21 +9,15 @@
 // becomes the mean of all in linear light, each clipped to what the picture's file can hold.
 // A sample's place follows from its pixel's row, lens and view and its own number, and the tests
 // look at first samples alone: a part of a picture has the whole picture's pixels.
-// Source: the steps from row to row and from sample to sample are those of M. Roberts' sequences of
-// three and of two dimensions ("The Unreasonable Effectiveness of Quasirandom Sequences", 2018);
-// those from lens to lens keep neighbouring lenses apart. tests/bench/eye_samples.py measures what
-// an eye sees.
+// Source: core/render/eye_place.h; tests/bench/eye_samples.py measures what an eye sees.
 #include "core/render/film_of.h"
 
 #include <algorithm>
-#include <cmath>
 #include <utility>
 #include <vector>
 
 namespace lentray::core {
 namespace {
-
-double part_of(double turns) { return turns - std::floor(turns) - 0.5; }
 
 /// Where pixels that neighbours agree about stand to the threshold. Smaller: more samples.
 constexpr float kBetween = 1.0f / 3.0f;
@@ -266,12 +260,10 @@ class SpreadBand final : public FilmBand {
 }  // namespace
 
 SamplePlace spread_sample(const RaySource& camera, const Pixel& pixel, std::uint32_t number) {
-  const EyePlace at = camera.eye_place(pixel.column, pixel.row);
-  const auto i = static_cast<double>(2 * at.row + at.view), s = static_cast<double>(number),
-             lens = static_cast<double>(at.lens);
+  const SpreadPlace at = spread_place(camera.eye_place(pixel.column, pixel.row), number);
   SamplePlace out{place_of(pixel), number};
-  out.place.across = part_of(0.5 + 0.81917 * i + 0.75488 * s + 0.4326 * lens);
-  out.place.down = part_of(0.5 + 0.67104 * i + 0.56984 * s + 0.3989 * lens);
+  out.place.across = at.across;
+  out.place.down = at.down;
   return out;
 }
 

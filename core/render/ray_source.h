@@ -4,6 +4,7 @@
 #include <cstdint>
 
 #include "core/base/ray.h"
+#include "core/render/eye_place.h"
 #include "core/render/pixel_lattice.h"
 
 namespace lentray::core {
@@ -18,9 +19,10 @@ struct PixelPlace {
   double turn = 0.0;
 };
 
-/// Where an eye sees a pixel: it blends neighbouring rows, and neighbouring views of a lens.
-struct EyePlace {
-  std::int64_t lens = 0, row = 0, view = 0;
+/// One of the rays of a place.
+struct PlaceRay {
+  std::uint32_t number = 0;
+  SpreadPlace through{};  ///< of the aperture of its lens, and of the height of its pixel's row
 };
 
 class FocalBlur;
@@ -39,7 +41,7 @@ class RaySource {
   /// How many rays a place has, each of which counts alike: their mean is seen.
   virtual std::uint32_t rays_a_place() const { return 1; }
   /// One of them; false: it is none. Whether that counts, missing_rays_are_black() says.
-  virtual bool one_ray_at(const PixelPlace& place, [[maybe_unused]] std::uint32_t index,
+  virtual bool one_ray_at(const PixelPlace& place, [[maybe_unused]] const PlaceRay& which,
                           Ray& out) const {
     return ray_at(place, out);
   }
@@ -56,6 +58,10 @@ class RaySource {
   /// Of an ordinary picture each column is a lens of one view.
   virtual EyePlace eye_place(std::uint32_t column, std::uint32_t row) const {
     return {column, row, 0};
+  }
+  /// Ray `number` of rays_a_place() of a pixel that is seen there.
+  PlaceRay ray_of(const EyePlace& at, std::uint32_t number) const {
+    return {number, spread_place(at, number, rays_a_place())};
   }
   /// How the areas of the pixels of a picture of that width join.
   virtual PixelLattice lattice(std::uint32_t width) const { return PixelLattice::in_rows(width); }

@@ -95,11 +95,13 @@ Sample Sampler::direction(const PixelPlace& place, std::uint64_t key) {
 }
 
 Sample Sampler::of_several_rays(const PixelPlace& place, std::uint64_t key) {
+  const Pixel pixel = nearest_pixel(place);
+  const EyePlace at = m_camera.eye_place(pixel.column, pixel.row);
   Radiance sum;
   int count = 0, black = 0;
   for (std::uint32_t i = 0; i < m_camera.rays_a_place(); ++i) {
     Ray ray;
-    if (!m_camera.one_ray_at(place, i, ray)) {
+    if (!m_camera.one_ray_at(place, m_camera.ray_of(at, i), ray)) {
       if (m_camera.missing_rays_are_black()) ++black;
       continue;
     }

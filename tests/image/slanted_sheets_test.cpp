@@ -57,7 +57,7 @@ std::string stock_scene(const SlantReference& s) {
     out << "mesh {\n";
     for (int row = 0; row < s.rows; ++row) {
       for (int column = 0; column < s.columns; ++column) {
-        const auto ray = slant_ray(s, column, row, (j + 0.5L) / s.rays);
+        const auto ray = slant_ray(s, column, row, j);
         SlantVector from{0, 0, s.focal_length}, along{0, 0, 1};  // into the print
         if (ray && thick) {
           from = ray->in_print;

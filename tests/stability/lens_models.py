@@ -95,8 +95,9 @@ def offsets(lens):
     return [((k + 0.5) / lens.pixels - 0.5) * lens.pitch for k in range(int(lens.pixels))]
 
 
-def rays_of(lens, offset, points=POINTS):
-    return [thick_ray(lens, offset, ((j + 0.5) / points - 0.5) * lens.pitch) for j in range(points)]
+def rays_of(lens, offset, points=POINTS, within=0.5):
+    """Each through its own part of the aperture, at that place within the part."""
+    return [thick_ray(lens, offset, ((j + within) / points - 0.5) * lens.pitch) for j in range(points)]
 
 
 def mean(values):
@@ -160,15 +161,18 @@ def scene(lens, rays, columns, slope):
 
 
 def expected(lens, rays, columns, slope):
-    """(origin x, origin z, slope) of every ray of a row, or None."""
+    """(origin x, origin z, slope) of every ray of the first row, or None."""
     sine = slope / math.hypot(1.0, slope) / lens.ior
     shift = lens.focal * sine / math.sqrt(1.0 - sine * sine)
     out = []
-    for column in range(columns):
-        number = math.floor((column + 0.5) / lens.pixels)
+    numbers = [math.floor((column + 0.5) / lens.pixels) for column in range(columns)]
+    for column, number in enumerate(numbers):
+        # In steps of 1e-5: that of a view, and that of a lens.
+        turns = 50000 + 81917 * (column - numbers.index(number)) + 43260 * number
+        within = turns % 100000 / 100000 if rays > 1 else 0.5
         offset = ((column + 0.5) / lens.pixels - number - 0.5) * lens.pitch + shift
         axis = (number + 0.5 - columns / lens.pixels / 2.0) * lens.pitch
-        for ray in rays_of(lens, offset, rays):
+        for ray in rays_of(lens, offset, rays, within):
             out.append(ray and (axis + ray[0] - ray[2] * (3.0 + ray[1]), -3.0, ray[2]))
     return out
 

@@ -9,6 +9,8 @@
 #include <numbers>
 #include <optional>
 
+#include "tests/support/thick_places.h"
+
 namespace lentray::test {
 
 using SlantReal = long double;
@@ -48,6 +50,7 @@ struct SlantRay {
 /// Where a pixel lies: its lens's axis and its offset from that, across the lens.
 struct SlantPixel {
   SlantReal axis = 0.0L, cell_offset = 0.0L, lens_offset = 0.0L, height = 0.0L;
+  std::int64_t lens = 0, view = 0;
 };
 
 inline SlantReal slant_shift(const SlantReference& s) {
@@ -74,6 +77,9 @@ inline SlantPixel slant_pixel(const SlantReference& s, int column, int row) {
   SlantPixel out;
   out.axis = middle * s.pitch;
   out.cell_offset = across - middle * s.print_pitch();
+  const SlantReal cell = out.cell_offset / s.print_pitch() + 0.5L;
+  out.lens = static_cast<std::int64_t>(lens);
+  out.view = static_cast<std::int64_t>(std::floor(cell * s.pixels + 1e-9L));
   out.lens_offset = across - out.axis + slant_shift(s);
   out.height = y;
   return out;
@@ -112,11 +118,13 @@ inline bool slant_stays_inside(const SlantReference& s, SlantReal offset, SlantR
   return depth + part * (s.focal_length - depth) >= edge;
 }
 
-/// The ray of a pixel; of the thick model through the point at that part of its aperture, from the left.
-/// Empty: there is none.
+/// The ray of a pixel; of the thick model that of this number. Empty: there is none.
 inline std::optional<SlantRay> slant_ray(const SlantReference& s, int column, int row,
-                                         SlantReal part = 0.5L) {
-  const SlantPixel p = slant_pixel(s, column, row);
+                                         int number = 0) {
+  SlantPixel p = slant_pixel(s, column, row);
+  const bool thick = s.model == SlantReference::Model::kThick;
+  const ThickPlace place = thick ? thick_place(p.lens, row, p.view, number, s.rays) : ThickPlace{};
+  p.height -= place.down * s.row_height();
   const SlantReal a = s.angle(), cosine = std::cos(a), sine = std::sin(a);
   const SlantReal rise = p.height * s.inverse() + s.eye_slope_y;
   SlantRay out;
@@ -127,8 +135,7 @@ inline std::optional<SlantRay> slant_ray(const SlantReference& s, int column, in
     out.slope = {aside + x * s.inverse() + s.eye_slope_x, rise, 1.0L};
     return out;
   }
-  const bool thick = s.model == SlantReference::Model::kThick;
-  const SlantReal across = thick ? (part - 0.5L) * s.pitch : 0.0L;
+  const SlantReal across = (place.part - 0.5L) * s.pitch;
   const SlantReal depth =
       thick ? s.radius() - std::sqrt(s.radius() * s.radius() - across * across) : 0.0L;
   // The more the line climbs in the glass, the more it rises outside.

@@ -270,6 +270,12 @@ void tell_of_journal(Run& run, PictureJournal& journal) {
   if (journal.keep()) tell_of_file(run, journal_path(run.output));
 }
 
+/// The rays of a pixel of the integral image, or of a strip of it, cover its area already.
+bool has_spread_rays(const Run& run) {
+  const parser::ViewOptions& views = run.options.views;
+  return run.camera.sheet && !views.quilt && !views.count && run.camera.sheet->rays_a_place() > 1;
+}
+
 /// Sampling for the eye is for sheets; other pictures take it for what stock does.
 FilmSettings film_of(Run& run) {
   FilmSettings film = film_settings(run.options);
@@ -280,6 +286,11 @@ FilmSettings film_of(Run& run) {
   film.antialiasing.blends_light &= is_print;
   if (core::holds_any_light(run.type))
     film.antialiasing.most = std::numeric_limits<float>::infinity();
+  if (film.antialiasing.compares() && has_spread_rays(run)) {
+    run.warnings.add(
+        "+A gains nothing with Lens_Model=thick, for the rays of a pixel are spread over its area "
+        "already: leave +A out, or raise Lens_Rays");
+  }
   if (method == core::AntialiasingMethod::kSpread) {
     for (const char* name : {"Jitter", "Jitter_Amount", "Antialias_Gamma"}) {
       if (run.options.said.contains(name))

@@ -15,8 +15,10 @@ void dump_ray(const camera::Camera& camera, std::uint32_t column, std::uint32_t 
   core::Ray r;
   const core::PixelPlace centre{.column = static_cast<std::int32_t>(column),
                                 .row = static_cast<std::int32_t>(row)};
-  const bool shows = camera.rays_a_place() > 1 ? camera.one_ray_at(centre, index, r)
-                                               : camera.ray(column + 0.5, row + 0.5, r);
+  const bool shows =
+      camera.rays_a_place() > 1
+          ? camera.one_ray_at(centre, camera.ray_of(camera.eye_place(column, row), index), r)
+          : camera.ray(column + 0.5, row + 0.5, r);
   if (!shows) {
     std::fprintf(out, "%u %u dark\n", column, row);
     return;

@@ -96,8 +96,9 @@ TEST(UnitCameraSceneEye, LightOfTheViewersEyesIsThatOfTheScenesEyes) {
         const core::PixelPlace at{.column = k, .row = row};
         for (std::uint32_t j = 0; j < viewers->rays_a_place(); ++j) {
           core::Ray light, middle, scene;
-          const bool is_lit = viewers->one_ray_at(at, j, light);
-          ASSERT_EQ(scenes->one_ray_at(at, j, scene), is_lit);
+          const core::PlaceRay which{j, {(j + 0.5) / viewers->rays_a_place() - 0.5, 0.0}};
+          const bool is_lit = viewers->one_ray_at(at, which, light);
+          ASSERT_EQ(scenes->one_ray_at(at, which, scene), is_lit);
           if (!is_lit || !viewers->ray_at(at, middle)) continue;
           const PassingRay out = where_it_passes(*viewers, light),
                            vertex = where_it_passes(*viewers, middle),

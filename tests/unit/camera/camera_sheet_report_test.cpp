@@ -384,8 +384,8 @@ TEST(UnitCameraSheetReport, TheThickModelIsOutOfFocusToo) {
     core::PixelPlace place;
     place.column = 22;
     core::Ray a, b;
-    EXPECT_TRUE(sheet.camera->one_ray_at(place, 0, a));
-    EXPECT_TRUE(sheet.camera->one_ray_at(place, 1, b));
+    EXPECT_TRUE(sheet.camera->one_ray_at(place, {0, {-0.25, 0.0}}, a));
+    EXPECT_TRUE(sheet.camera->one_ray_at(place, {1, {0.25, 0.0}}, b));
     return core::length(core::cross(a.direction, b.direction));
   };
   EXPECT_LT(spread(0.5), 3e-3);  // n R/(n - 1) is the thickness

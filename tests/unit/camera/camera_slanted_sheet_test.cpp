@@ -9,6 +9,7 @@
 
 #include "camera/slanted_lenticular.h"
 #include "camera/thick_lenticular.h"
+#include "tests/unit/camera/place_ray.h"
 #include "tests/unit/camera/slanted_sheets.h"
 
 namespace lentray::camera {
@@ -34,10 +35,10 @@ TEST(UnitCameraSlantedSheet, RaysAreThoseOfRefractedVectors) {
       for (int row = 0; row < s.rows; row += 7) {
         for (int column = 0; column < s.columns; ++column) {
           for (int j = 0; j < s.rays; ++j) {
-            const auto want = slant_ray(s, column, row, (j + 0.5L) / s.rays);
+            const auto want = slant_ray(s, column, row, j);
             Ray got;
-            const bool shows = camera.one_ray_at({.column = column, .row = row},
-                                                 static_cast<std::uint32_t>(j), got);
+            const bool shows = test::place_ray(camera, {.column = column, .row = row},
+                                               static_cast<std::uint32_t>(j), got);
             ASSERT_EQ(shows, want.has_value()) << column << ' ' << row << ' ' << j;
             if (!want) continue;
             ++lit;

@@ -13,6 +13,8 @@
 #include "camera/lens_request.h"
 #include "camera/thick_lenticular.h"
 #include "camera/thin_lens.h"
+#include "tests/support/thick_places.h"
+#include "tests/unit/camera/place_ray.h"
 
 namespace lentray::camera::thick_test {
 namespace {
@@ -173,7 +175,7 @@ double difference(const SheetExit& got, const ThickExpected& want) {
                 std::fabs(got.slope - want.slope) / scale}));
 }
 
-/// All points of the aperture, offsets in 32nds of the pitch, and several slopes along the lens.
+/// The middles of all parts of the aperture, offsets in 32nds of the pitch, and several slopes along the lens.
 Tally compare(const LensParameters& parameters, int first = -45, int last = 45) {
   const ThickLens lens(parameters);
   Tally tally;
@@ -183,7 +185,7 @@ Tally compare(const LensParameters& parameters, int first = -45, int last = 45) 
       for (std::uint32_t j = 0; j < lens.rays(); ++j) {
         const double across = ((j + 0.5) / lens.rays() - 0.5) * parameters.pitch;
         SheetExit got;
-        const LensRayEnd end = lens.leave(offset, j, {rise}, got);
+        const LensRayEnd end = lens.leave(offset, across, {rise}, got);
         const std::string where = "offset " + std::to_string(offset) + " point " +
                                   std::to_string(j) + " rise " + std::to_string(rise);
         if (!shows(end)) {
@@ -246,7 +248,7 @@ TEST(UnitCameraThickLens, IsParaxialNearTheAxis) {
     for (const double cells : {-0.5, -0.1, 0.3}) {
       for (std::uint32_t j = 0; j < 5; ++j) {
         SheetExit exit;
-        ASSERT_EQ(lens.leave(cells * pitch, j, {0.0}, exit), LensRayEnd::kLeaves);
+        ASSERT_EQ(lens.leave(cells * pitch, lens.middle(j), {0.0}, exit), LensRayEnd::kLeaves);
         EXPECT_NEAR(exit.slope, 1.5 * cells * pitch / 2.0, 2.0 * std::pow(pitch / 2.0, 3));
       }
     }
@@ -261,7 +263,7 @@ TEST(UnitCameraThickLens, ThroughTheVertexItIsAPinhole) {
     SheetExit exit;
     double slope = 0.0;
     ASSERT_TRUE(slope_of(parameters, offset, slope));
-    ASSERT_EQ(lens.leave_vertex(offset, 0.0, exit), LensRayEnd::kLeaves);
+    ASSERT_EQ(lens.leave(offset, 0.0, {0.0}, exit), LensRayEnd::kLeaves);
     EXPECT_NEAR(exit.slope, slope, 1e-15);
     EXPECT_EQ(exit.depth, 0.0);
   }
@@ -281,7 +283,7 @@ SheetPlacement turned_sheet(double width, double height, double front) {
   return place;
 }
 
-/// Every ray of a sheet, that goes through the lens and column that it belongs to.
+/// Every ray of a sheet, that goes through the lens and column that it belongs to, at its own place of both.
 TEST(UnitCameraThickLenticular, PlacesItsRays) {
   for (const LensParameters& lens :
        {thick(1.124, 3.03, 1.6), thick(1.124, 3.03, 1.6, 7, 60.0, 12.4),
@@ -291,15 +293,21 @@ TEST(UnitCameraThickLenticular, PlacesItsRays) {
     const ThickLens optics(lens);
     EXPECT_EQ(camera.rays_a_place(), lens.rays);
     for (std::int32_t row = 0; row < 6; ++row) {
-      const double y = (0.5 - (row + 0.5) / 6.0) * 3.0;
-      const double rise = y / (lens.view_distance * camera.scale()) - 0.1;
+      int first = 0;  // column of the lens
       for (std::int32_t k = 0; k < 45; ++k) {
         const LensColumn& column = camera.sheet().column(static_cast<std::uint32_t>(k));
+        const double own = std::floor((k + 0.5) / lens.pixels);
+        if (std::floor((k - 0.5) / lens.pixels) < own) first = k;
         for (std::uint32_t j = 0; j < lens.rays; ++j) {
+          const auto at = test::thick_place(static_cast<std::int64_t>(own), row, k - first,
+                                            static_cast<int>(j), static_cast<int>(lens.rays));
+          const double across = static_cast<double>(at.part - 0.5L) * lens.pitch;
+          const double y = (0.5 - (row + 0.5 + static_cast<double>(at.down)) / 6.0) * 3.0;
+          const double rise = y / (lens.view_distance * camera.scale()) - 0.1;
           SheetExit exit;
           Ray ray;
-          const bool lit = shows(optics.leave(column.lens_offset, j, {rise}, exit));
-          ASSERT_EQ(camera.one_ray_at({.column = k, .row = row}, j, ray), lit);
+          const bool lit = shows(optics.leave(column.lens_offset, across, {rise}, exit));
+          ASSERT_EQ(test::place_ray(camera, {.column = k, .row = row}, j, ray), lit);
           if (!lit) continue;
           // Along the ray from its start to where it leaves the sheet.
           const double way = (2.0 + exit.depth * camera.scale()) / dot(ray.direction, place.normal);
@@ -325,7 +333,7 @@ TEST(UnitCameraThickLenticular, OneRayIsThatThroughTheVertex) {
     Ray whole, place, one;
     ASSERT_TRUE(camera.ray(k + 0.5, 4.5, whole));
     ASSERT_TRUE(camera.ray_at({.column = k, .row = 4}, place));
-    ASSERT_TRUE(camera.one_ray_at({.column = k, .row = 4}, 0, one));
+    ASSERT_TRUE(camera.one_ray_at({.column = k, .row = 4}, {}, one));
     EXPECT_EQ(whole.origin, place.origin);
     EXPECT_EQ(whole.direction, place.direction);
     EXPECT_EQ(whole.origin, one.origin);
@@ -343,9 +351,10 @@ TEST(UnitCameraThickLenticular, PlacesJoin) {
                                6);
   const auto expect_same = [&](const core::PixelPlace& a, const core::PixelPlace& b) {
     for (std::uint32_t j = 0; j < 6; ++j) {
+      const core::PlaceRay which = camera.ray_of({1, 2, 3}, j);
       Ray left, right;
-      ASSERT_TRUE(camera.one_ray_at(a, j, left));
-      ASSERT_TRUE(camera.one_ray_at(b, j, right));
+      ASSERT_TRUE(camera.one_ray_at(a, which, left));
+      ASSERT_TRUE(camera.one_ray_at(b, which, right));
       EXPECT_LT(length(left.origin - right.origin), 1e-13);
       EXPECT_LT(length(left.direction - right.direction), 1e-13);
     }
@@ -369,8 +378,8 @@ TEST(UnitCameraThickLenticular, AViewShowsItsColumnsOfTheSheet) {
   for (std::int32_t lens = 0; lens < 3; ++lens) {
     for (std::uint32_t j = 0; j < 6; ++j) {
       Ray of_view, of_sheet;
-      ASSERT_TRUE(view.one_ray_at({.column = lens, .row = 3}, j, of_view));
-      ASSERT_TRUE(camera.one_ray_at({.column = 15 * lens + 4, .row = 3}, j, of_sheet));
+      ASSERT_TRUE(test::place_ray(view, {.column = lens, .row = 3}, j, of_view));
+      ASSERT_TRUE(test::place_ray(camera, {.column = 15 * lens + 4, .row = 3}, j, of_sheet));
       EXPECT_EQ(of_view.origin, of_sheet.origin);
       EXPECT_EQ(of_view.direction, of_sheet.direction);
     }
@@ -389,7 +398,8 @@ TEST(UnitCameraThickLenticular, CountsWhatShowsNothing) {
         int lit = 0;
         Ray ray;
         for (std::uint32_t j = 0; j < 3; ++j) {
-          lit += camera.one_ray_at({.column = k, .row = row}, j, ray) ? 1 : 0;
+          const core::PlaceRay middle{j, {(j + 0.5) / 3.0 - 0.5, 0.0}};
+          lit += camera.one_ray_at({.column = k, .row = row}, middle, ray) ? 1 : 0;
         }
         if (lit == 0) ++dark_pixels;
       }
@@ -401,8 +411,8 @@ TEST(UnitCameraThickLenticular, CountsWhatShowsNothing) {
     for (std::uint32_t k = 0; k < 63; ++k) {
       for (std::uint32_t j = 0; j < 3; ++j) {
         SheetExit exit;
-        const LensRayEnd end =
-            optics.leave(camera.sheet().column(k).lens_offset, j, {camera.rise(10.0)}, exit);
+        const LensRayEnd end = optics.leave(camera.sheet().column(k).lens_offset, optics.middle(j),
+                                            {camera.rise(10.0)}, exit);
         spilled += end == LensRayEnd::kSpills || end == LensRayEnd::kReturns ? 1 : 0;
         dark_rays += shows(end) ? 0 : 1;
       }

@@ -105,14 +105,28 @@ TEST(UnitViewsCamera, SizedViewsMeetTheSheet) {
           place.row = static_cast<std::int32_t>(i % 9);
           place.across = 0.2;
           place.down = -0.3;
-          const bool shown = strip.one_ray_at(place, ray, a);
-          ASSERT_EQ(sized.one_ray_at(place, ray, b), shown);
+          const core::EyePlace at = strip.eye_place(i, i % 9);
+          const bool shown = strip.one_ray_at(place, strip.ray_of(at, ray), a);
+          ASSERT_EQ(sized.one_ray_at(place, strip.ray_of(at, ray), b), shown);
           if (!shown) continue;
           EXPECT_LT(core::length(a.origin - b.origin), 1e-12);
           EXPECT_LT(core::length(a.direction - b.direction), 1e-12);
         }
       }
     }
+  }
+}
+
+/// A thick lens's rays lie in the row of the view's own pixel, however high the sheet's rows are.
+TEST(UnitViewsCamera, RaysOfThickLensesStayInTheirRow) {
+  const auto sheet = views_sheet(views_lens(5.0, 300.0, LensModel::kThick), 60, 9);
+  const SizedView view(*sheet, 2, 5, 24, 36);
+  for (const double down : {-0.5, 0.2}) {
+    Ray a, b;
+    ASSERT_TRUE(view.one_ray_at({.column = 7, .row = 14}, {1, {0.1, down}}, a));
+    ASSERT_TRUE(view.one_ray_at({.column = 7, .row = 14, .down = down}, {1, {0.1, 0.0}}, b));
+    EXPECT_LT(core::length(a.origin - b.origin), 1e-12);
+    EXPECT_LT(core::length(a.direction - b.direction), 1e-12);
   }
 }
 
