@@ -30,17 +30,17 @@ PRINT = "Lens_Sheet=40lpi Sheet_Width=100mm Sheet_Height=75mm Print_DPI=600 View
 UNSEEN = 0.3  # L*
 
 
-def render(args, scene, out, words):
-    """CPU seconds, and rays a pixel."""
+def render(args, scene, out, words, part):
+    """CPU seconds, and rays a pixel. Of the file the rows that are compared stay."""
     about = out.with_suffix(".json")
-    top, bottom = args.rows
+    top, bottom = part
     seconds = cpu_seconds([args.bin / "lentray", f"+I{scene.name}", f"+O{out}", "Lenticular=On", *args.print.split(), *words,
                            f"+SR{top:g}", f"+ER{bottom:g}", "+FN16", "-D", "-V", "-P", "+WT1",
                            f"Statistics_File={about}"], scene.parent)
     told = json.loads(about.read_text())
     width, height = told["image"]["width"], told["image"]["height"]
-    first = int(top * height) + 2
-    rows = int(bottom * height) - 2 - first
+    first = int(args.seen[0] * height) + 2
+    rows = int(args.seen[1] * height) - 2 - first
     subprocess.run(["oiiotool", out, "--cut", f"{width}x{rows}+0+{first}", "-o", out], check=True, capture_output=True)
     return seconds, told["rays"]["camera"] / (width * height * (bottom - top))
 
@@ -54,14 +54,14 @@ def seen(args, one, two):
 def measure(args, scene, folder):
     """By way: CPU seconds, rays a pixel, error."""
     spread, stock = folder / "spread.png", folder / "stock.png"
-    render(args, scene, spread, [f"Antialias_Grid={args.grid}", "+AM3"])
-    render(args, scene, stock, ["+A0.0", f"+R{args.grid}", "+J"])
+    render(args, scene, spread, [f"Antialias_Grid={args.grid}", "+AM3"], args.seen)
+    render(args, scene, stock, ["+A0.0", f"+R{args.grid}", "+J"], args.seen)
     ways = {"-J": (["+A0.3", "-J"], stock), "+J": (["+A0.3", "+J"], stock),
             "eye": (["+A0.3", "+AM3", *args.more.split()], spread)}
     figures = {}
     for way, (words, limit) in ways.items():
         picture = folder / f"{way}.png"
-        figures[way] = (*render(args, scene, picture, words), seen(args, picture, limit))
+        figures[way] = (*render(args, scene, picture, words, args.rows), seen(args, picture, limit))
     return figures
 
 
@@ -70,7 +70,10 @@ def main():
     parser.add_argument("words", nargs="*", metavar="WORD")
     parser.add_argument("--print", default=PRINT, metavar="OPTIONS")
     parser.add_argument("--more", default="", metavar="OPTIONS")
-    parser.add_argument("--rows", type=float, nargs=2, default=(0.3333, 0.6667), metavar=("TOP", "BOTTOM"), help="parts of the height")
+    parser.add_argument("--rows", type=float, nargs=2, default=(0.3333, 0.6667), metavar=("TOP", "BOTTOM"),
+                        help="parts of the height")
+    parser.add_argument("--seen", type=float, nargs=2, default=(0.44, 0.56), metavar=("TOP", "BOTTOM"),
+                        help="of these, those whose error is measured")
     parser.add_argument("--grid", type=int, default=4, metavar="N", help="of the limits (default 4: 16 samples a pixel)")
     parser.add_argument("--bin", type=pathlib.Path, default=ROOT / "build/release/bin", metavar="FOLDER")
     parser.add_argument("--median", type=float, default=0.0, metavar="RATIO")

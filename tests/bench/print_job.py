@@ -3,6 +3,7 @@
   tests/bench/print_job.py                      24 examples, 1200 x 900, antialiased (+A0.3 -J)
   tests/bench/print_job.py --plain              without antialiasing
   tests/bench/print_job.py --eye                lentray samples for the eye (+A0.3 +AM3), stock as before
+  tests/bench/print_job.py --eye --width 2362 --height 1772 --rows 0.3333 0.6667      the middle third of 100 x 75 mm
   tests/bench/print_job.py --runs 5 granite     scenes whose path contains a word
   tests/bench/print_job.py --before FOLDER      another build of lentray instead of stock
 
@@ -33,13 +34,13 @@ LENS = 15
 
 def sheet(program, scene, args, folder):
     return cpu_seconds([program, f"+I{scene}", f"+O{folder / 'sheet.png'}", "Lenticular=On", f"+W{args.width}",
-                        f"+H{args.height}", *args.sheets, "-D", "-V", "-P", "+WT1"], scene.parent)
+                        f"+H{args.height}", *args.sheets, *args.part, "-D", "-V", "-P", "+WT1"], scene.parent)
 
 
 def all_views(views, scene, args, folder):
     """The last lens may be cut: the views beyond it have one pixel less a row."""
     return sum(cpu_seconds([*stock(view, len(range(j, args.width, LENS)), args.height, view.parent, 1,
-                                   args.antialiasing), f"+L{scene.parent}"], folder)
+                                   args.antialiasing), *args.part, f"+L{scene.parent}"], folder)
                for j, view in enumerate(views))
 
 
@@ -71,6 +72,7 @@ def main():
     parser.add_argument("--runs", type=int, default=1, metavar="N", help="of each way (default 1)")
     parser.add_argument("--width", type=int, default=1200)
     parser.add_argument("--height", type=int, default=900)
+    parser.add_argument("--rows", type=float, nargs=2, metavar=("TOP", "BOTTOM"), help="parts of the height (default: all)")
     parser.add_argument("--bin", type=pathlib.Path, default=ROOT / "build" / "release" / "bin", metavar="FOLDER")
     parser.add_argument("--before", metavar="FOLDER", help="with bin/lentray, instead of stock")
     parser.add_argument("--median", type=float, default=0.0, metavar="RATIO")
@@ -80,6 +82,7 @@ def main():
     args.bin = args.bin.resolve()
     args.before = args.before and two_builds.program(parser, args.before)
     args.antialiasing = ["-A", "-J"] if args.plain else ["+A0.3", "-J"]
+    args.part = [f"+SR{args.rows[0]:g}", f"+ER{args.rows[1]:g}"] if args.rows else []
     args.sheets = ["+A0.3", "+AM3"] if args.eye else args.antialiasing
     scenes = [INSTEAD.get(name, name) for name in SCENES]
     scenes = [name for name in scenes if not args.words or any(word in name for word in args.words)]
