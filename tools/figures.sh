@@ -97,6 +97,18 @@ figures() {
   $1 accuracy-promises docs/accuracy.md '(5 min)' 'tests/chart/promises.py --write'
   $1 subsurface-truth docs/global.md '10 s' 'python3 tests/bench/subsurface_truth.py lentray povray'
   $1 antialiasing docs/rendering.md '(20 min)' 'python3 tests/compat/antialiasing.py'
+  $1 eye-samples docs/rendering.md '(1 h)' 'python3 tests/bench/eye_samples.py'
+  $1 eye-pattern docs/rendering.md '(1 min)' 'python3 tests/bench/eye_pattern.py'
+  $1 eye-picture docs/rendering.md '(5 min)' \
+    'E=/usr/share/doc/povray/examples; mkdir -p out;
+     for S in objects/csg/granite objects/lathe1a advanced/woodbox advanced/teapot/teapot textures/patterns/agate; do
+       for W in 1 3 limit; do case $W in 1) A="+A0.3 -J";; 3) A="+A0.3 +AM3";; *) A="Antialias_Grid=4 +AM3";; esac;
+         lentray $E/$S.pov Lenticular=On Lens_Sheet=40lpi Sheet_Width=40mm Sheet_Height=30mm Print_DPI=600
+           View_Distance=40cm -D -V $A +Oout/one.png;
+         lentray-views out/one.png --eye=-4.6 --size 189x142 --out out/$(basename $S)-$W.png; done; done;
+     oiiotool out/granite-1.png out/granite-3.png out/granite-limit.png out/lathe1a-1.png out/lathe1a-3.png out/lathe1a-limit.png
+       out/woodbox-1.png out/woodbox-3.png out/woodbox-limit.png out/teapot-1.png out/teapot-3.png out/teapot-limit.png
+       out/agate-1.png out/agate-3.png out/agate-limit.png --mosaic:pad=4 3x5 --resize:filter=box 1150x1458 -o docs/eye.png' '(eye.png)'
   $1 blur-convergence docs/rendering.md '(20 min)' 'python3 tests/bench/blur_convergence.py'
   $1 photon-truths docs/global.md '(2 min)' 'python3 tests/bench/photon_truths.py'
   $1 radiosity-truths docs/global.md '(2 min)' 'python3 tests/bench/radiosity_truths.py'
