@@ -35,13 +35,14 @@ def render(args, scene, out, words, part):
     about = out.with_suffix(".json")
     top, bottom = part
     seconds = cpu_seconds([args.bin / "lentray", f"+I{scene.name}", f"+O{out}", "Lenticular=On", *args.print.split(), *words,
-                           f"+SR{top:g}", f"+ER{bottom:g}", "+FN16", "-D", "-V", "-P", "+WT1",
+                           *([] if bottom - top == 1 else [f"+SR{top:g}", f"+ER{bottom:g}"]), "+FN16", "-D", "-V", "-P", "+WT1",
                            f"Statistics_File={about}"], scene.parent)
     told = json.loads(about.read_text())
     width, height = told["image"]["width"], told["image"]["height"]
-    first = int(args.seen[0] * height) + 2
-    rows = int(args.seen[1] * height) - 2 - first
-    subprocess.run(["oiiotool", out, "--cut", f"{width}x{rows}+0+{first}", "-o", out], check=True, capture_output=True)
+    if args.seen[1] - args.seen[0] < 1:
+        first = int(args.seen[0] * height) + 2
+        rows = int(args.seen[1] * height) - 2 - first
+        subprocess.run(["oiiotool", out, "--cut", f"{width}x{rows}+0+{first}", "-o", out], check=True, capture_output=True)
     return seconds, told["rays"]["camera"] / (width * height * (bottom - top))
 
 
@@ -73,7 +74,7 @@ def main():
     parser.add_argument("--rows", type=float, nargs=2, default=(0.3333, 0.6667), metavar=("TOP", "BOTTOM"),
                         help="parts of the height")
     parser.add_argument("--seen", type=float, nargs=2, default=(0.44, 0.56), metavar=("TOP", "BOTTOM"),
-                        help="of these, those whose error is measured")
+                        help="of these, those whose error is measured (of slanted lenses all: 0 1)")
     parser.add_argument("--grid", type=int, default=4, metavar="N", help="of the limits (default 4: 16 samples a pixel)")
     parser.add_argument("--bin", type=pathlib.Path, default=ROOT / "build/release/bin", metavar="FOLDER")
     parser.add_argument("--median", type=float, default=0.0, metavar="RATIO")
