@@ -19,7 +19,7 @@
 namespace lentray::core {
 namespace {
 
-/// Where pixels that neighbours agree about stand to the threshold. Smaller: more samples.
+/// Neighbours agree that differ by less than this part of the threshold.
 constexpr float kBetween = 1.0f / 3.0f;
 
 /// The columns, and those beside them in the neighbouring lenses.
@@ -148,7 +148,7 @@ class SpreadBand final : public FilmBand {
     return trace_base(thread);
   }
 
-  /// The neighbours of a pixel agree, and it is their mean now. False: nobody knows.
+  /// The neighbours of a pixel agree, and it is their mean now. False: it is left as it is, and needs a sample.
   bool lies_between(const Pixel& p) {
     if (p.row == 0 || p.row + 1 == m_setup.height) return false;
     const Base &above = base(p.column, p.row - 1), &below = base(p.column, p.row + 1);

@@ -125,7 +125,8 @@ SubsurfaceLight::Exit SubsurfaceLight::exit_at(const Surface& surface,
 
 /// A ray in a solid. No kind of rays sees all objects; this one passes by those with no_radiosity alone.
 bool SubsurfaceLight::nearest(const Ray& ray, double from, double to, Hit& hit) {
-  // Blobs pass over what is near to a ray's start, but not, as in stock, to the start of such a ray: it starts before.
+  // Blobs are not hit near to a ray's start, but, as in stock, near to that of a ray in a solid. So it
+  // starts before.
   constexpr double kBefore = 0.02;
   const Ray before{ray.origin - ray.direction * kBefore, ray.direction};
   const bool is_met =

@@ -12,6 +12,7 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
+#include <optional>
 #include <set>
 #include <sstream>
 
@@ -31,6 +32,9 @@ struct GlassSheet {
   double distance = 0.0;  ///< V, 0: infinite
   double eye_slope = 0.0;
   bool spills = false;  ///< light of some rays runs into the next lens
+  /// Column and row of a pixel one of whose rays passes the edge of a lens so near that stock, which finds no
+  /// surface within some 1e-5 mm of where a ray leaves another, shows it otherwise.
+  std::optional<std::array<std::uint32_t, 2>> grazed{};
 
   double radius() const { return focal_length * (ior - 1.0) / ior; }
   double lenses() const { return columns / pixels; }
@@ -205,8 +209,15 @@ class ImageThickLens : public ::testing::TestWithParam<GlassSheet> {};
 TEST_P(ImageThickLens, AsStockTracesTheGlass) {
   const GlassSheet& s = GetParam();
   const StoredImage ours = lentray_render(text_of(our_scene(s), s.columns, s.rows));
-  const StoredImage stock =
+  StoredImage stock =
       without_first_row(stock_render(text_of(stock_scene(s), s.columns, s.rows + 1)));
+  if (s.grazed) {
+    const auto [column, row] = *s.grazed;
+    EXPECT_NE(core::level(ours, column, row), core::level(stock, column, row)) << "it is as others";
+    const std::size_t channels = static_cast<std::size_t>(stock.channels);
+    const std::size_t at = (std::size_t{row} * stock.width + column) * channels;
+    for (std::size_t i = 0; i < channels; ++i) stock.samples[at + i] = ours.samples[at + i];
+  }
   EXPECT_TRUE(reaches(ours, stock, Grade::exact));
   // A picture without much in it proves nothing.
   std::set<std::array<double, 3>> colours;
@@ -232,11 +243,10 @@ INSTANTIATE_TEST_SUITE_P(
         GlassSheet{"fractional", 0.9, 2.2, 1.5, 7.37, 8, 100, 16, 120.0},
         GlassSheet{"of_60_lpi", 25.4 / 60.0, 0.7, 1.57, 10, 16, 120, 16},
         // Many rays are totally reflected in these. Others run into the next lens and
-        // into the print, in half circles also through it. Stock finds no surface within some
-        // 1e-5 mm of where a ray leaves another: none of these leaves so near to an edge.
+        // into the print, in half circles also through it.
         GlassSheet{"wide", 2.28, 2.0, 2.5, 12, 33, 84, 16, 0.0, 0.0, true},
         GlassSheet{"at_a_slant", 2.2, 3.03, 1.6, 12, 33, 84, 16, 0.0, -1.0, true},
-        GlassSheet{"half_circles", 0.923, 2.0, 1.3, 12, 129, 60, 4, 0.0, 0.55, true}),
+        GlassSheet{"half_circles", 0.923, 2.0, 1.3, 12, 129, 60, 8, 0.0, 0.55, true, {{47, 5}}}),
     [](const auto& sheet) { return sheet.param.name; });
 
 /// The comparison sees a lens that is a hundredth thicker.

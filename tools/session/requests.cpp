@@ -35,7 +35,7 @@ core::Antialiasing antialiasing(const RenderOptions& o) {
     out.depth = o.antialias_grid;
   }
   out.jitter = o.jitter ? o.jitter_amount : 0.0;
-  constexpr double kOfEye = 2.0;  // roots are quick, and no other power shows an eye less error
+  constexpr double kOfEye = 2.0;  // quick to take, and near to brightness
   out.gamma = out.method == kSpread ? kOfEye : o.antialias_gamma;
   return out;
 }
