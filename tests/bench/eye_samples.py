@@ -1,9 +1,10 @@
 """What sampling for the eye (+AM3) costs and gives on prints, beside stock's method (+A0.3).
 
   tests/bench/eye_samples.py                 24 examples: the middle third of 100 x 75 mm, 40 lpi, 600 dpi, seen from 40 cm
-  tests/bench/eye_samples.py granite mtmand  those whose path contains a word
+  tests/bench/eye_samples.py granite mtmand  those whose path contains a word; a path that ends with .pov: that scene
   tests/bench/eye_samples.py --print "Lens_Sheet=60 Sheet_Width=50mm Sheet_Height=37.5mm Print_DPI=720 View_Distance=40cm"
   tests/bench/eye_samples.py --more +R2      another setting of +AM3
+  tests/bench/eye_samples.py --views 15      pictures of Views=15, joined to a sheet
 
 CPU seconds of whole processes, one thread each, and the error that an eye sees (lentray-diff --seen: L*, RMS and 99th
 percentile). Each way is held against its own limit, of samples that no other picture takes: +AM3 against spread samples
@@ -30,20 +31,37 @@ PRINT = "Lens_Sheet=40lpi Sheet_Width=100mm Sheet_Height=75mm Print_DPI=600 View
 UNSEEN = 0.3  # L*
 
 
+def join(args, pictures, out, width, height):
+    words = dict(word.lower().split("=") for word in args.print.split())
+    names = {"lens_sheet": "--lens-sheet", "print_dpi": "--dpi", "view_distance": "--view-distance"}
+    subprocess.run([args.bin / "lentray-views", "--interlace", *pictures, "--size", f"{width}x{height}", "--out", out,
+                    *[word for name, option in names.items() for word in (option, words[name])]], check=True, capture_output=True)
+
+
 def render(args, scene, out, words, part):
     """CPU seconds, and rays a pixel. Of the file the rows that are compared stay."""
+    for old in out.parent.glob(f"{out.stem}*.json"):
+        old.unlink()
     about = out.with_suffix(".json")
     top, bottom = part
-    seconds = cpu_seconds([args.bin / "lentray", f"+I{scene.name}", f"+O{out}", "Lenticular=On", *args.print.split(), *words,
+    picture = out
+    if args.views:
+        words = [*words, f"Views={args.views}"]
+        picture = out.with_name(f"{out.stem}.##.png")
+    seconds = cpu_seconds([args.bin / "lentray", f"+I{scene.name}", f"+O{picture}", "Lenticular=On", *args.print.split(), *words,
                            *([] if bottom - top == 1 else [f"+SR{top:g}", f"+ER{bottom:g}"]), "+FN16", "-D", "-V", "-P", "+WT1",
                            f"Statistics_File={about}"], scene.parent)
-    told = json.loads(about.read_text())
+    told = [json.loads(file.read_text()) for file in sorted(out.parent.glob(f"{out.stem}*.json"))]
+    rays = sum(one["rays"]["camera"] for one in told)
+    told = told[0]
     width, height = told["image"]["width"], told["image"]["height"]
+    if args.views:
+        join(args, sorted(out.parent.glob(f"{out.stem}.[0-9#]*.png")), out, width, height)
     if args.seen[1] - args.seen[0] < 1:
         first = int(args.seen[0] * height) + 2
         rows = int(args.seen[1] * height) - 2 - first
         subprocess.run(["oiiotool", out, "--cut", f"{width}x{rows}+0+{first}", "-o", out], check=True, capture_output=True)
-    return seconds, told["rays"]["camera"] / (width * height * (bottom - top))
+    return seconds, rays / (width * height * (bottom - top))
 
 
 def seen(args, one, two):
@@ -71,6 +89,7 @@ def main():
     parser.add_argument("words", nargs="*", metavar="WORD")
     parser.add_argument("--print", default=PRINT, metavar="OPTIONS")
     parser.add_argument("--more", default="", metavar="OPTIONS")
+    parser.add_argument("--views", type=int, default=0, metavar="N")
     parser.add_argument("--rows", type=float, nargs=2, default=(0.3333, 0.6667), metavar=("TOP", "BOTTOM"),
                         help="parts of the height")
     parser.add_argument("--seen", type=float, nargs=2, default=(0.44, 0.56), metavar=("TOP", "BOTTOM"),
@@ -81,15 +100,17 @@ def main():
     parser.add_argument("--least", type=float, default=0.0, metavar="RATIO")
     args = parser.parse_args()
     args.bin = args.bin.resolve()
-    scenes = [INSTEAD.get(name, name) for name in SCENES]
+    scenes = [EXAMPLES / (INSTEAD.get(name, name) + ".pov") for name in SCENES]
+    if args.words:
+        scenes = [scene for scene in scenes if any(word in str(scene) for word in args.words)]
+        scenes += [pathlib.Path(word).resolve() for word in args.words if word.endswith(".pov")]
     ratios, worse = [], []
     print("| scene | +A0.3 -J, CPU s | rays | L* RMS | 99 % | RMS of +A0.3 | +AM3, CPU s | rays | L* RMS | 99 % | cheaper | error |\n"
           "|---|---:|---:|---:|---:|---:|---:|---:|---:|---:|---:|---:|")
-    for name in scenes:
-        if args.words and not any(word in name for word in args.words):
-            continue
+    for scene in scenes:
+        name = scene.stem
         with tempfile.TemporaryDirectory() as temporary:
-            figures = measure(args, EXAMPLES / (name + ".pov"), pathlib.Path(temporary))
+            figures = measure(args, scene, pathlib.Path(temporary))
         cell = {way: f"{seconds:.2f} | {rays:.2f} | {error['rms']:.2f} | {error['within_99']:.2f}"
                 for way, (seconds, rays, error) in figures.items()}
         rms = {way: error["rms"] for way, (_, _, error) in figures.items()}
