@@ -16,11 +16,10 @@ constexpr std::uint64_t kPhotonsBranch = ~std::uint64_t{0};  ///< of a layer's r
 
 }  // namespace
 
-Rgb light_of_photons(const PhotonTree& tree, const FoundPhotons& found, const PhotonLitLayer& layer,
-                     const SceneSettings& settings) {
+Rgb light_of_photons(const PhotonTree& tree, const FoundPhotons& found, const Layer& layer,
+                     const Surface& at, const SceneSettings& settings) {
   if (found.is_empty() || !(found.radius() > 0.0)) return {};
-  const Finish& finish = layer.finish;
-  const Surface& at = layer.surface;
+  const Finish& finish = *layer.finish;
   const bool one_sided = !at.attributes.double_illuminate;
   const double thickness =
       finish.irid > 0.0 ? film_thickness(finish, at.point(), settings.noise_generator) : 0.0;

@@ -5,24 +5,14 @@
 #pragma once
 
 #include "core/base/color.h"
-#include "core/material/finish.h"
 #include "core/photon/photon_tree.h"
 #include "core/scene/scene.h"
+#include "core/trace/layer.h"
 #include "core/trace/ray_state.h"
 
 namespace lentray::core {
 
-/// A layer that is lit.
-struct PhotonLitLayer {
-  const Finish& finish;
-  const Rgb& pigment;
-  const Vec3& normal;  ///< of the layer, facing the ray
-  double opacity;
-  bool shines;  ///< highlights are wanted
-  const Surface& surface;
-};
-
-Rgb light_of_photons(const PhotonTree& tree, const FoundPhotons& found, const PhotonLitLayer& layer,
-                     const SceneSettings& settings);
+Rgb light_of_photons(const PhotonTree& tree, const FoundPhotons& found, const Layer& layer,
+                     const Surface& at, const SceneSettings& settings);
 
 }  // namespace lentray::core

@@ -53,24 +53,10 @@ struct PhotonPath::Meeting {
   InteriorEntry interior() const { return interior_of(attributes, hit.object); }
 };
 
-/// What the layers of a texture do with photons.
-struct PhotonPath::Layers {
-  struct Mirror {
-    Rgb colour;
-    float weight;
-    double exponent;
-    Vec3 normal;
-  };
-  Rgb filter{1.0f, 1.0f, 1.0f};
-  double transparency = 1.0;
-  Vec3 top_normal;
-  std::vector<Mirror> mirrors;
-};
-
 PhotonPath::PhotonPath(ThreadContext& context)
     : m_context(context), m_scene(context.scene), m_settings(*m_scene.settings().photons),
       m_min_distance(kMinHitDistance * m_scene.tolerance_scale()), m_start_interiors(m_scene),
-      m_media(context) {}
+      m_media(context), m_layers(context, {m_settings.adc_bailout}) {}
 
 bool PhotonPath::shoot(const PhotonShot& shot, MediaDraws& draws, PhotonMaps& out) {
   m_context.interiors.forget_if_large();
@@ -166,65 +152,30 @@ void PhotonPath::arrive(const Meeting& at, const LayeredTexture& texture, const 
   const bool reflects =
       !at.passes && photons_go_on(at.flags.photon_reflection, light.photon_reflection);
   if ((!refracts && !reflects) || ends_photons(texture)) return;
-  const Layers layers = see_layers(at, texture, place, leg);
+  std::vector<Layer> layers;
+  SurfaceContext surface{at.point, at.normal, leg.ray.direction, &at.hit};
+  m_layers.find_in(texture, place, {leg.ray, at.hit, at.normal, leg.inside, true}, surface, layers);
+  if (layers.empty()) return;
   bool total_reflection = false;
-  if (refracts && layers.transparency > m_settings.adc_bailout) {
+  if (refracts && layers.back().clear > m_settings.adc_bailout) {
     total_reflection = refract(at, layers, leg);
   }
   if (reflects) mirror_layers(at, layers, total_reflection, leg);
 }
 
-PhotonPath::Layers PhotonPath::see_layers(const Meeting& at, const LayeredTexture& texture,
-                                          const TexturePlace& place, const Leg& leg) const {
-  Layers layers;
-  SurfaceContext context{at.point, at.normal, leg.ray.direction, &at.hit};
-  for (auto layer = texture.layers().rbegin();
-       layer != texture.layers().rend() && layers.transparency > m_settings.adc_bailout; ++layer) {
-    see_layer(*layer, at, place, leg, context, layers);
-  }
-  return layers;
-}
-
-void PhotonPath::see_layer(const TextureLayer& layer, const Meeting& at, const TexturePlace& place,
-                           const Leg& leg, SurfaceContext& context, Layers& layers) const {
-  const Finish& finish = *layer.finish;
-  if (layer.normal) context.normal = place.perturbed(*layer.normal, at.normal, context);
-  // What is opaque passes nothing, whatever its colour.
-  Colour colour;
-  if (finish.reflection_metallic != 0.0 || !layer.pigment->is_opaque()) {
-    colour = layer.pigment->colour(place.point, context);
-  }
-  const Vec3 normal = layer.normal ? place.outwards(context.normal) : at.normal;
-  if (layers.mirrors.empty()) layers.top_normal = normal;
-  // A layer's own colour has been through those above it when it filters.
-  colour.rgb *= layers.filter;
-  const double ior = finish.reflection_fresnel
-                         ? relative_ior(at.interior(), m_context.interiors, leg.inside,
-                                        m_scene.settings().atmosphere_ior)
-                         : 1.0;
-  const Reflectivity share = reflectivity(finish, -dot(leg.ray.direction, normal), ior, colour.rgb);
-  layers.mirrors.push_back({share.colour,
-                            static_cast<float>(leg.weight * layers.transparency) * share.weight,
-                            1.0 / finish.reflection_exponent, normal});
-  layers.filter *= passed(colour);
-  if (finish.conserve_energy) {
-    for (int c = 0; c < 3; ++c) layers.filter[c] *= std::min(1.0f, 1.0f - share.colour[c]);
-  }
-  layers.transparency = std::min(1.0, static_cast<double>(std::fabs(grey(layers.filter))));
-}
-
-bool PhotonPath::refract(const Meeting& at, const Layers& layers, const Leg& leg) {
+bool PhotonPath::refract(const Meeting& at, Layers layers, const Leg& leg) {
+  const Rgb& filter = layers.back().below;
   const double air = m_scene.settings().atmosphere_ior;
   Leg onward = leg;
   onward.passed = at.passes;
   onward.ray.origin = at.point;
-  onward.weight = leg.weight * std::max(0.0f, greatest(layers.filter));
+  onward.weight = leg.weight * std::max(0.0f, greatest(filter));
   const Bend bent = m_scene.needs().interiors
                         ? enter(at.interior(), air, m_context.interiors, onward.inside)
                         : Bend();
   const bool disperses = !(std::fabs(bent.dispersion - 1.0) < kTiny);
   if (std::fabs(bent.ior - 1.0) < kTiny && !disperses) {
-    onward.power *= layers.filter;
+    onward.power *= filter;
     follow(onward);
     return false;
   }
@@ -242,18 +193,18 @@ bool PhotonPath::refract(const Meeting& at, const Layers& layers, const Leg& leg
   return false;
 }
 
-bool PhotonPath::bend(const Meeting& at, const Layers& layers, double ior, const Leg& before,
+bool PhotonPath::bend(const Meeting& at, Layers layers, double ior, const Leg& before,
                       Leg onward) {
-  const auto direction = refracted(before.ray.direction, layers.top_normal, ior);
+  const auto direction = refracted(before.ray.direction, layers.front().normal, ior);
   if (!direction) {
     // What no layer filters goes back, as heavy as what would have gone on.
     Leg back = before;
     back.weight = onward.weight;
-    mirror(at, layers.top_normal, std::move(back));
+    mirror(at, layers.front().normal, std::move(back));
     return true;
   }
   onward.ray.direction = *direction;
-  onward.power *= layers.filter;
+  onward.power *= layers.back().below;
   follow(onward);
   return false;
 }
@@ -266,22 +217,25 @@ void PhotonPath::mirror(const Meeting& at, const Vec3& normal, Leg onward) {
 }
 
 /// All layers reflect by the normal of the lowest that was seen.
-void PhotonPath::mirror_layers(const Meeting& at, const Layers& layers, bool total_reflection,
+void PhotonPath::mirror_layers(const Meeting& at, Layers layers, bool total_reflection,
                                const Leg& leg) {
-  const Vec3 lowest_normal = layers.mirrors.back().normal;
-  for (std::size_t i = 0; i < layers.mirrors.size(); ++i) {
-    const Layers::Mirror& layer = layers.mirrors[i];
-    if (layer.colour.is_black()) continue;
-    if (total_reflection && nearly_equal(layers.top_normal, layer.normal)) continue;
+  double clear = 1.0;  // of the layers above
+  for (const Layer& layer : layers) {
+    const float weight = static_cast<float>(leg.weight * clear) * layer.mirror.weight;
+    clear = layer.clear;
+    const Rgb& colour = layer.mirror.colour;
+    if (colour.is_black()) continue;
+    if (total_reflection && nearly_equal(layers.front().normal, layer.normal)) continue;
     Leg onward = leg;
-    if (layer.exponent != 1.0) {
+    if (layer.finish->reflection_exponent != 1.0) {
+      const double exponent = 1.0 / layer.finish->reflection_exponent;
       for (int c = 0; c < 3; ++c) {
-        onward.power[c] = static_cast<float>(std::pow(leg.power[c], layer.exponent));
+        onward.power[c] = static_cast<float>(std::pow(leg.power[c], exponent));
       }
     }
-    onward.power *= layer.colour;
-    onward.weight = layer.weight * greatest(layer.colour);
-    mirror(at, lowest_normal, onward);
+    onward.power *= colour;
+    onward.weight = weight * greatest(colour);
+    mirror(at, layers.back().normal, onward);
   }
 }
 

@@ -11,6 +11,7 @@
 #include "core/trace/photon_shot.h"
 #include "core/trace/ray_state.h"
 #include "core/trace/start_interiors.h"
+#include "core/trace/surface_layers.h"
 #include "core/trace/thread_context.h"
 
 namespace lentray::core {
@@ -26,22 +27,17 @@ class PhotonPath {
  private:
   struct Leg;
   struct Meeting;
-  struct Layers;
 
   void follow(const Leg& leg);
   /// Whether photons go on from what a leg meets; `passes`: they only pass it.
   bool is_wanted(const Leg& leg, const PassFlags& flags, bool& passes);
   void arrive(const Meeting& at, const LayeredTexture& texture, const TexturePlace& place, Leg leg);
   Rgb faded(const Meeting& at, const Leg& leg) const;
-  Layers see_layers(const Meeting& at, const LayeredTexture& texture, const TexturePlace& place,
-                    const Leg& leg) const;
-  void see_layer(const TextureLayer& layer, const Meeting& at, const TexturePlace& place,
-                 const Leg& leg, SurfaceContext& context, Layers& layers) const;
   /// Both are true on total internal reflection.
-  bool refract(const Meeting& at, const Layers& layers, const Leg& leg);
-  bool bend(const Meeting& at, const Layers& layers, double ior, const Leg& before, Leg onward);
+  bool refract(const Meeting& at, Layers layers, const Leg& leg);
+  bool bend(const Meeting& at, Layers layers, double ior, const Leg& before, Leg onward);
   void mirror(const Meeting& at, const Vec3& normal, Leg onward);
-  void mirror_layers(const Meeting& at, const Layers& layers, bool total_reflection,
+  void mirror_layers(const Meeting& at, Layers layers, bool total_reflection,
                      const Leg& leg);
 
   ThreadContext& m_context;
@@ -50,6 +46,7 @@ class PhotonPath {
   const double m_min_distance;
   StartInteriors m_start_interiors;
   PhotonMedia m_media;
+  const SurfaceLayers m_layers;
   const PhotonShot* m_shot = nullptr;
   MediaDraws* m_draws = nullptr;
   PhotonMaps* m_out = nullptr;

@@ -134,7 +134,7 @@ class PlainLights::Lanes {
     Float4 shown[3] = {light[0], light[1], light[2]};
     for (unsigned left = shining; left != 0; left &= left - 1) {
       const int i = __builtin_ctz(left);
-      const PlainLayer& layer = *depth.layer[place(i)];
+      const Layer& layer = *depth.layer[place(i)];
       const Finish& finish = *layer.finish;
       if (finish.phong > 0.0) phong[i] = phong_of(finish, at_mirror[i]);
       if (finish.specular > 0.0 && size[i] > 0.0) specular[i] = specular_of(finish, at_half[i]);
@@ -148,7 +148,7 @@ class PlainLights::Lanes {
       share[c] = chosen(lanes, share[c] + highlight, share[c]);
     }
   }
-  [[gnu::noinline]] void show_on_metal(const PlainLayer& layer, int i, Float4 (&shown)[3]) const {
+  [[gnu::noinline]] void show_on_metal(const Layer& layer, int i, Float4 (&shown)[3]) const {
     const Rgb light{shown[0][i], shown[1][i], shown[2][i]};
     const Rgb on_metal = metal_highlight(
         *layer.finish, {m_answers.direction_at(place(i)), {}, layer.normal, light, layer.pigment});
@@ -172,15 +172,15 @@ PlainLights::PlainLights(ThreadContext& context, ShadowTester& shadows, const Bl
   }
 }
 
-void PlainLights::add(std::span<const PlainLayer> layers, const Vec3& eye) {
+void PlainLights::add(Layers layers, const Vec3& eye) {
   const std::size_t at = m_count++;
-  if (layers.empty()) return;
+  if (layers.empty() || layers.size() > kMostLayers) return;
   const std::uint64_t bit = std::uint64_t{1} << at;
   m_known |= bit;
   for (; m_deepest < layers.size(); ++m_deepest) m_depths[m_deepest].clear();
   for (int a = 0; a < 3; ++a) m_eye[a][at] = eye[a];
   for (std::size_t d = 0; d < layers.size(); ++d) {
-    const PlainLayer& layer = layers[d];
+    const Layer& layer = layers[d];
     Depth& depth = m_depths[d];
     for (int c = 0; c < 3; ++c) depth.sum[c][at] = 0.0f;
     if (!layer.is_lit) continue;
@@ -230,7 +230,7 @@ bool PlainLights::may_show(const Light& light, const LightAnswers& answers,
   const Vec3 eye{m_eye[0][place], m_eye[1][place], m_eye[2][place]};
   for (std::size_t d = 0; d < m_deepest; ++d) {
     if ((m_depths[d].shining >> place & 1) == 0) continue;
-    const PlainLayer& layer = *m_depths[d].layer[place];
+    const Layer& layer = *m_depths[d].layer[place];
     if (may_shine(*layer.finish,
                   {answers.direction_at(place), eye, layer.normal, colour, layer.pigment})) {
       return true;

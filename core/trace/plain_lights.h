@@ -1,4 +1,4 @@
-// The light that lights make of plain layers (core/trace/plain_texture.h) at the places of a block, four places at a
+// The light that lights make of plain layers (core/trace/layer.h) at the places of a block, four places at a
 // time, light after light, in the order of operations of SurfaceShading::lit(). The layers of a place are lit by what
 // arrives there once.
 // World space; colours linear. One a thread. Needs AVX2 (core/base/processor.h).
@@ -11,13 +11,14 @@
 #include <span>
 
 #include "core/trace/block_lights.h"
-#include "core/trace/plain_texture.h"
+#include "core/trace/layer.h"
 
 namespace lentray::core {
 
 class PlainLights {
  public:
   static constexpr std::size_t kMost = BlockLights::kMost;
+  static constexpr std::size_t kMostLayers = 4;
 
   PlainLights(ThreadContext& context, ShadowTester& shadows, const BlockLights& lights);
   /// False: there are lights of other kinds; nothing else may be asked.
@@ -29,7 +30,7 @@ class PlainLights {
   }
   /// The next place, with its layers from the top, which stay there; none: it is not lit here. `eye`: the direction of
   /// the ray that looks.
-  void add(std::span<const PlainLayer> layers, const Vec3& eye);
+  void add(Layers layers, const Vec3& eye);
   /// Once the block's lights are found. `filters(light, place)`: what filters leave of the light there.
   template <class Filters>
   void light(const Filters& filters) {
@@ -69,7 +70,7 @@ class PlainLights {
     // Bits of places.
     std::uint64_t lit = 0, shining = 0;
     std::uint64_t uneven = 0;  ///< with a brilliance
-    std::array<const PlainLayer*, kMost> layer;
+    std::array<const Layer*, kMost> layer;
     alignas(32) double normal[3][kMost] = {}, diffuse[kMost] = {};
     alignas(16) float pigment[3][kMost] = {}, sum[3][kMost] = {};
     void clear() { lit = shining = uneven = 0; }
@@ -99,7 +100,7 @@ class PlainLights {
   std::uint64_t m_lit = 0;      ///< of which a layer is lit
   std::uint64_t m_shows = 0;    ///< of which a layer shows light that is not nothing
   std::uint64_t m_diffuse = 0;  ///< of which a layer has diffuse light
-  std::array<Depth, PlainTextures::kMostLayers> m_depths;
+  std::array<Depth, kMostLayers> m_depths;
   alignas(32) double m_eye[3][kMost] = {};
   // Of the light that is added.
   std::uint64_t m_own_colour = 0;  ///< where its colour is one of m_colour

@@ -4,7 +4,6 @@
 #include <cstdint>
 
 #include "core/base/ray.h"
-#include "core/material/texture.h"
 #include "core/object/leaf.h"
 #include "core/pattern/surface_context.h"
 #include "core/trace/interior_table.h"
@@ -48,7 +47,6 @@ struct Surface {
   const Attributes& attributes;
   SurfaceContext context;      ///< what patterns see
   Vec3 normal;                 ///< unit, facing the ray
-  TexturePlace texture_place;  ///< of the texture that is shaded
   double texture_weight;       ///< of the texture that is shaded, among those that blend there
   int level;                   ///< trace level, 1: camera ray
   std::uint32_t layer;         ///< layers shaded so far, of all textures

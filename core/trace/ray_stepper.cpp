@@ -20,7 +20,8 @@ std::uint32_t next_place(std::uint32_t tree_place) { return std::min(tree_place,
 
 RayStepper::RayStepper(ThreadContext& context, ShadowTester& shadows, const PathRules& rules)
     : m_context(context), m_scene(context.scene), m_paths(m_scene.needs()),
-      m_hierarchy(m_scene.hierarchy()), m_shading(context, shadows, rules),
+      m_hierarchy(m_scene.hierarchy()), m_layers(context, rules),
+      m_shading(context, shadows, rules),
       m_max_level(m_scene.settings().max_trace_level), m_bailout(rules.adc_bailout),
       m_min_distance(kMinHitDistance * m_scene.tolerance_scale()),
       m_atmosphere_ior(m_scene.settings().atmosphere_ior),
@@ -41,28 +42,6 @@ void RayStepper::pass_open_air(const RayState& state, const RayRecord& record, R
   if (!m_air->fogs.empty()) pass_fogs(*m_air, segment, light);
 }
 
-[[gnu::always_inline]] inline void RayStepper::add_onward(const LayerSum& sum, const Surface& at,
-                                                          const ShadingBuffers& buffers,
-                                                          RayRecord& record) {
-  bool total_reflection = false;
-  if (m_paths.transparency && sum.transparency > m_bailout) {
-    total_reflection = add_transmitted(sum, at, record);
-  }
-  if (m_paths.reflection) add_mirrors(sum, total_reflection, at, buffers, record);
-}
-
-[[gnu::always_inline]] inline Radiance RayStepper::shade_texture(const LayeredTexture& texture,
-                                                                 Surface& at,
-                                                                 ShadingBuffers& buffers,
-                                                                 RayRecord& record) {
-  LayerSum sum;
-  m_shading.shade(texture, at, buffers, sum);
-  add_onward(sum, at, buffers, record);
-  if (sum.is_seen_through) [[unlikely]]
-    add_unscattered(at, buffers, record);
-  return {sum.light};
-}
-
 namespace {
 
 Surface surface_at(const RayState& state, const Hit& hit, const MetPlace& where,
@@ -71,7 +50,6 @@ Surface surface_at(const RayState& state, const Hit& hit, const MetPlace& where,
           *record.attributes,
           {where.point, where.normal, state.ray.direction, &hit},
           where.normal,
-          {where.point},
           1.0,
           record.level,
           0,
@@ -80,55 +58,61 @@ Surface surface_at(const RayState& state, const Hit& hit, const MetPlace& where,
 
 }  // namespace
 
-void RayStepper::go_on(const RayState& state, const Hit& hit, const MetPlace& where,
-                       std::span<const PlainLayer> layers, LayerSum& sum, RayRecord& record) {
-  const Surface at = surface_at(state, hit, where, record);
-  if (m_buffers.empty()) add_buffers();
-  ShadingBuffers& buffers = *m_buffers.front();
-  m_shading.find_mirrors(layers, at, buffers, sum);
-  sum.top_normal = layers.front().normal;
-  sum.top_finish = layers.front().finish;
-  sum.layers = layers.size();
-  add_onward(sum, at, buffers, record);
-}
-
-void RayStepper::shade(const RayState& state, const Hit& hit, const MetPlace& where,
-                       const BlockLights* block, std::size_t place, RayRecord& record) {
+void RayStepper::see_surface(const RayState& state, const Hit& hit, RayRecord& record) {
+  begin_surface(state, hit, record);
+  const MetPlace where(state.ray, hit);
   Surface at = surface_at(state, hit, where, record);
-  if (at.attributes.uv_mapping) at.texture_place.point = texture_point(at.context);
-  ShadingBuffers& buffers = m_shaded < m_buffers.size() ? *m_buffers[m_shaded] : add_buffers();
-  ++m_shaded;
-  m_shading.begin(at, block, place, buffers);
-  if (m_paths.layers) {
-    shade_textures(at, buffers, record);
-  } else {
-    record.own = shade_texture(*at.attributes.texture->everywhere(), at, buffers, record);
-  }
-  --m_shaded;
+  ShadingBuffers& buffers = begin_shading();
+  m_shading.begin(at, nullptr, 0, buffers);
+  buffers.layers.clear();
+  const PlaceLayers found = m_layers.find(state, hit, where, buffers.layers);
+  shade(at, found, buffers.layers, buffers, record);
+  end_shading();
 }
 
-ShadingBuffers& RayStepper::add_buffers() {
+void RayStepper::see_layers(const RayState& state, const Hit& hit, const MetPlace& where,
+                            const PlaceLayers& found, const LayerBuffer& layers,
+                            const BlockLights& block, std::size_t place, RayRecord& record) {
+  begin_surface(state, hit, record);
+  Surface at = surface_at(state, hit, where, record);
+  ShadingBuffers& buffers = begin_shading();
+  m_shading.begin(at, &block, place, buffers);
+  shade(at, found, layers, buffers, record);
+  end_shading();
+}
+
+void RayStepper::shade(Surface& at, const PlaceLayers& found, const LayerBuffer& layers,
+                       ShadingBuffers& buffers, RayRecord& record) {
+  each_texture(found, layers, record, [&](Layers texture, double weight) {
+    at.texture_weight = weight;
+    buffers.begin_texture();
+    const Rgb own = sum_up(texture, [&](const Layer& layer, const Rgb& above, Rgb& light) {
+      m_shading.light(layer, above, at, buffers, light);
+      ++at.layer;
+    });
+    if (go_on_from(texture)) add_onward(texture, at, record);
+    if (!buffers.unscattered.empty()) [[unlikely]]
+      add_unscattered(at, buffers, record);
+    return own;
+  });
+}
+
+void RayStepper::go_on(const RayState& state, const Hit& hit, const MetPlace& where, Layers layers,
+                       RayRecord& record) {
+  add_onward(layers, surface_at(state, hit, where, record), record);
+}
+
+[[gnu::always_inline]] inline void RayStepper::add_onward(Layers layers, const Surface& at,
+                                                          RayRecord& record) {
+  bool total_reflection = false;
+  if (m_paths.transparency && layers.back().clear > m_bailout) {
+    total_reflection = add_transmitted(layers, at, record);
+  }
+  if (m_paths.reflection) add_mirrors(layers, total_reflection, at, record);
+}
+
+void RayStepper::add_buffers() {
   m_buffers.push_back(std::make_unique<ShadingBuffers>(m_shading.lights()));
-  return *m_buffers.back();
-}
-
-void RayStepper::shade_textures(Surface& at, ShadingBuffers& buffers, RayRecord& record) {
-  const WeightedTextures& textures = buffers.textures;
-  textures_at(at.context, at.from_behind, m_bailout, buffers.textures);
-  if (textures.size() == 1 && textures.front().weight == 1.0) {
-    at.texture_place = textures.place(textures.front());
-    record.own = shade_texture(*textures.front().texture, at, buffers, record);
-    return;
-  }
-  record.own = {};
-  for (const WeightedTexture& texture : textures) {
-    at.context.normal = at.normal;
-    at.texture_place = textures.place(texture);
-    at.texture_weight = texture.weight;
-    const std::size_t before = record.onward.size();
-    const Radiance own = shade_texture(*texture.texture, at, buffers, record);
-    record.parts.push_back({own, texture.weight, record.onward.size() - before});
-  }
 }
 
 [[gnu::always_inline]] inline OnwardRay& RayStepper::add_ray(const Surface& at, float weight,
@@ -145,19 +129,21 @@ void RayStepper::shade_textures(Surface& at, ShadingBuffers& buffers, RayRecord&
   return onward;
 }
 
-void RayStepper::add_mirrors(const LayerSum& sum, bool total_reflection, const Surface& at,
-                             const ShadingBuffers& buffers, RayRecord& record) {
-  for (std::size_t i = 0; m_mirror_images && i < sum.layers; ++i) {
-    const Mirror& mirror = buffers.mirrors[i];
-    if (mirror.colour.is_black()) continue;
-    if (total_reflection && nearly_equal(sum.top_normal, mirror.normal)) continue;
+void RayStepper::add_mirrors(Layers layers, bool total_reflection, const Surface& at,
+                             RayRecord& record) {
+  double clear = 1.0;  // of the layers above
+  for (const Layer& layer : layers) {
+    const float weight = static_cast<float>(at.state.weight * clear) * layer.mirror.weight;
+    clear = layer.clear;
+    if (!m_mirror_images || layer.mirror.colour.is_black()) continue;
+    if (total_reflection && nearly_equal(layers.front().normal, layer.normal)) continue;
     ++m_context.counters.reflected_rays;
-    if (is_cut(at.level, mirror.weight)) continue;
-    OnwardRay& image = add_ray(at, mirror.weight, record);
+    if (is_cut(at.level, weight)) continue;
+    OnwardRay& image = add_ray(at, weight, record);
     image.way = OnwardRay::Way::kMirror;
-    image.share = mirror.colour;
-    image.exponent = mirror.exponent;
-    reflect(mirror.normal, *mirror.finish, at, image);
+    image.share = layer.mirror.colour;
+    image.exponent = 1.0 / layer.finish->reflection_exponent;
+    reflect(layer, at, image);
   }
 }
 
@@ -180,20 +166,22 @@ void RayStepper::add_mirrors(const LayerSum& sum, bool total_reflection, const S
   buffers.unscattered.clear();
 }
 
-void RayStepper::reflect(const Vec3& normal, const Finish& film, const Surface& at,
-                         OnwardRay& onward) {
+void RayStepper::reflect(const Layer& layer, const Surface& at, OnwardRay& onward) {
   RayState& state = onward.state;
-  state.ray.direction = normalized(mirrored(at.ray().direction, normal, at.normal));
+  state.ray.direction = normalized(mirrored(at.ray().direction, layer.normal, at.normal));
   state.inside = at.state.inside;
   state.tree_place = next_place(2 * at.state.tree_place);
   state.kind = reflected(at.state.kind);
   state.wavelength = at.state.wavelength;
-  onward.tinted = film.irid > 0.0;
-  if (onward.tinted) onward.tint = m_shading.film(film, normal, state.ray.direction, at);
+  onward.tinted = layer.finish->irid > 0.0;
+  if (onward.tinted) {
+    onward.tint = m_shading.film(*layer.finish, layer.normal, state.ray.direction, at);
+  }
 }
 
-bool RayStepper::add_transmitted(const LayerSum& sum, const Surface& at, RayRecord& record) {
-  const Rgb& filter = sum.filter;
+bool RayStepper::add_transmitted(Layers layers, const Surface& at, RayRecord& record) {
+  const Layer& top = layers.front();
+  const Rgb& filter = layers.back().below;
   const float most = greatest({std::fabs(filter.r), std::fabs(filter.g), std::fabs(filter.b)});
   const InteriorEntry interior = at.interior();
   InteriorsId inside = at.state.inside;
@@ -211,7 +199,7 @@ bool RayStepper::add_transmitted(const LayerSum& sum, const Surface& at, RayReco
     through.way = OnwardRay::Way::kThrough;
     through.share = fade;
     through.filter = filter;
-    through.clear = sum.transparency;
+    through.clear = layers.back().clear;
     through.state.inside = inside;
     through.state.tree_place = next_place(2 * at.state.tree_place + 1);
     through.state.kind = transmitted(at.state.kind);
@@ -227,7 +215,7 @@ bool RayStepper::add_transmitted(const LayerSum& sum, const Surface& at, RayReco
       through.band_part = 1.0f / static_cast<float>(bend.bands);
       const double wavelength = band_wavelength(band, bend.bands);
       through.state.wavelength = wavelength;
-      refract(sum, dispersed_ior(bend.ior, bend.dispersion, wavelength), at, through);
+      refract(top, dispersed_ior(bend.ior, bend.dispersion, wavelength), at, through);
     }
     return false;
   }
@@ -240,18 +228,18 @@ bool RayStepper::add_transmitted(const LayerSum& sum, const Surface& at, RayReco
   } else {
     const double ior =
         disperses ? dispersed_ior(bend.ior, bend.dispersion, at.state.wavelength) : bend.ior;
-    total_reflection = refract(sum, ior, at, through);
+    total_reflection = refract(top, ior, at, through);
     if (total_reflection) through.way = OnwardRay::Way::kTotalReflection;  // no layer filters it
   }
   if (is_cut(through.state)) record.onward.pop_back();
   return total_reflection;
 }
 
-bool RayStepper::refract(const LayerSum& sum, double ior, const Surface& at, OnwardRay& onward) {
-  const std::optional<Vec3> bent = refracted(at.ray().direction, sum.top_normal, ior);
+bool RayStepper::refract(const Layer& top, double ior, const Surface& at, OnwardRay& onward) {
+  const std::optional<Vec3> bent = refracted(at.ray().direction, top.normal, ior);
   if (!bent) {
     ++m_context.counters.reflected_rays;
-    reflect(sum.top_normal, *sum.top_finish, at, onward);
+    reflect(top, at, onward);
     return true;
   }
   ++m_context.counters.refracted_rays;

@@ -6,6 +6,7 @@
 // (tests/image/shading_depth_test.cpp).
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <memory>
 #include <span>
@@ -21,6 +22,7 @@
 #include "core/trace/ray_state.h"
 #include "core/trace/sky.h"
 #include "core/trace/start_interiors.h"
+#include "core/trace/surface_layers.h"
 #include "core/trace/surface_shading.h"
 #include "core/trace/thread_context.h"
 #include "core/trace/unit_ray.h"
@@ -58,7 +60,7 @@ class RayStepper {
   /// The same of a ray that has met this; null: nothing.
   void see(const RayState& state, const Hit* hit, RayRecord& record) {
     if (hit) {
-      see_surface(state, *hit, MetPlace(state.ray, *hit), nullptr, 0, record);
+      see_surface(state, *hit, record);
     } else {
       see_nothing(state, record);
     }
@@ -71,25 +73,23 @@ class RayStepper {
     record.level = state.level + 1;
     record.own = sky_radiance(m_scene, state.ray.direction, state.kind >= RayKind::kReflection);
   }
-  /// `block`: has asked for the lights there, at `place` of its places; null: nobody has.
-  void see_surface(const RayState& state, const Hit& hit, const MetPlace& where,
-                   const BlockLights* block, std::size_t place, RayRecord& record) {
-    begin_surface(state, hit, record);
-    shade(state, hit, where, block, place, record);
-  }
-  /// The same of plain layers; `lit(layer)`: what the lights make of one. No photons light them.
+  /// Of a surface whose layers are known. `block`: has asked for the lights there, at `place` of its places.
+  void see_layers(const RayState& state, const Hit& hit, const MetPlace& where,
+                  const PlaceLayers& found, const LayerBuffer& layers, const BlockLights& block,
+                  std::size_t place, RayRecord& record);
+  /// The same where `lit(layer)` is all that comes from elsewhere to the place's layers.
   template <class Lit>
-  void see_plain(const RayState& state, const Hit& hit, const MetPlace& where,
-                 std::span<const PlainLayer> layers, const Lit& lit, RayRecord& record) {
+  void see_lit(const RayState& state, const Hit& hit, const MetPlace& where,
+               const PlaceLayers& found, const LayerBuffer& buffer, const Lit& lit,
+               RayRecord& record) {
     begin_surface(state, hit, record);
-    LayerSum sum;
-    bool reflects = false;
-    for (std::size_t i = 0; i < layers.size(); ++i) {
-      SurfaceShading::add_plain(layers[i], lit(i), sum);
-      reflects = reflects || layers[i].reflects;
-    }
-    record.own = {sum.light};
-    if (reflects || sum.transparency > 0.0) go_on(state, hit, where, layers, sum, record);
+    std::size_t next = 0;
+    each_texture(found, buffer, record, [&](Layers layers, double) {
+      const Rgb own =
+          sum_up(layers, [&](const Layer&, const Rgb&, Rgb& light) { light += lit(next++); });
+      if (go_on_from(layers)) go_on(state, hit, where, layers, record);
+      return own;
+    });
   }
   /// What filters leave of a light at a place of a block.
   Rgb filters(const RayState& state, const MetPlace& where, std::uint32_t light,
@@ -113,30 +113,67 @@ class RayStepper {
     record.length = hit.t;
     record.level = level_of(state);
   }
+  /// Gives each texture of a place to `see(layers, weight) -> Rgb`, which adds the rays that go on from it.
+  template <class See>
+  [[gnu::always_inline]] static void each_texture(const PlaceLayers& found,
+                                                  const LayerBuffer& buffer, RayRecord& record,
+                                                  const See& see) {
+    Layers layers = found.of(buffer);
+    if (found.parts == 0) {
+      record.own = {see(layers, 1.0)};
+      return;
+    }
+    record.own = {};
+    for (const TexturePart& part : found.parts_of(buffer)) {
+      const std::size_t before = record.onward.size();
+      const Radiance own{see(layers.first(part.layers), part.weight)};
+      record.parts.push_back({own, part.weight, record.onward.size() - before});
+      layers = layers.subspan(part.layers);
+    }
+  }
+  /// Of the layers of a texture. `add(layer, above, light)` adds to a layer's own light what comes from elsewhere.
+  template <class Add>
+  [[gnu::always_inline]] static Rgb sum_up(Layers layers, const Add& add) {
+    Rgb sum, above(1.0f);
+    for (const Layer& layer : layers) {
+      Rgb light = layer.own;
+      add(layer, above, light);
+      sum += light * above;
+      above = layer.below;
+    }
+    return sum;
+  }
   bool is_cut(int level, float weight) const { return level >= m_max_level || weight < m_bailout; }
 
-  void shade(const RayState& state, const Hit& hit, const MetPlace& where, const BlockLights* block,
-             std::size_t place, RayRecord& record);
-  /// Adds the rays that go on from plain layers.
-  void go_on(const RayState& state, const Hit& hit, const MetPlace& where,
-             std::span<const PlainLayer> layers, LayerSum& sum, RayRecord& record);
-  ShadingBuffers& add_buffers();
-  void add_onward(const LayerSum& sum, const Surface& at, const ShadingBuffers& buffers,
-                  RayRecord& record);
-  void shade_textures(Surface& at, ShadingBuffers& buffers, RayRecord& record);
-  /// The texture's own light; adds the rays that go on from it.
-  Radiance shade_texture(const LayeredTexture& texture, Surface& at, ShadingBuffers& buffers,
-                         RayRecord& record);
-  void add_mirrors(const LayerSum& sum, bool total_reflection, const Surface& at,
-                   const ShadingBuffers& buffers, RayRecord& record);
+  void see_surface(const RayState& state, const Hit& hit, RayRecord& record);
+  void shade(Surface& at, const PlaceLayers& found, const LayerBuffer& layers,
+             ShadingBuffers& buffers, RayRecord& record);
+  /// The buffers of the next surface that is shaded, until end_shading().
+  ShadingBuffers& begin_shading() {
+    if (m_shaded == m_buffers.size()) add_buffers();
+    return *m_buffers[m_shaded++];
+  }
+  void end_shading() { --m_shaded; }
+  void add_buffers();
+  /// Whether rays go on from the layers of a texture.
+  bool go_on_from(Layers layers) const {
+    if (layers.empty()) return false;
+    if (layers.back().clear > m_bailout) return true;
+    return std::ranges::any_of(
+        layers, [](const Layer& layer) { return !layer.mirror.colour.is_black(); });
+  }
+  void go_on(const RayState& state, const Hit& hit, const MetPlace& where, Layers layers,
+             RayRecord& record);
+  void add_onward(Layers layers, const Surface& at, RayRecord& record);
+  void add_mirrors(Layers layers, bool total_reflection, const Surface& at, RayRecord& record);
   void add_unscattered(const Surface& at, ShadingBuffers& buffers, RayRecord& record);
   /// Adds what goes through the surface; true on total internal reflection.
-  bool add_transmitted(const LayerSum& sum, const Surface& at, RayRecord& record);
+  bool add_transmitted(Layers layers, const Surface& at, RayRecord& record);
   /// Turns a ray that goes through, with that ior before the surface over behind it. True on total
   /// internal reflection: then it is that of the mirror image.
-  bool refract(const LayerSum& sum, double ior, const Surface& at, OnwardRay& onward);
-  /// Makes a ray that of the mirror image. `film`: the finish whose thin film tints it.
-  void reflect(const Vec3& normal, const Finish& film, const Surface& at, OnwardRay& onward);
+  bool refract(const Layer& top, double ior, const Surface& at, OnwardRay& onward);
+  /// Makes a ray that of the mirror image in a layer.
+  void reflect(const Layer& layer, const Surface& at, OnwardRay& onward);
   static OnwardRay& add_ray(const Surface& at, float weight, RayRecord& record);
   /// Fog, rainbows and media of the air on the ray, if it is in the open.
   void pass_open_air(const RayState& state, const RayRecord& record, Radiance& light);
@@ -145,6 +182,7 @@ class RayStepper {
   const Scene& m_scene;
   const PathFeatures m_paths;
   const Hierarchy& m_hierarchy;
+  SurfaceLayers m_layers;
   SurfaceShading m_shading;
   int m_max_level;
   const double m_bailout;

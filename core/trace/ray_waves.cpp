@@ -9,15 +9,14 @@ namespace lentray::core {
 
 RayWaves::RayWaves(ThreadContext& context, Integrator& integrator, ShadowTester& shadows)
     : m_context(context), m_integrator(integrator), m_stepper(integrator.stepper()),
-      m_lights(context, shadows), m_textures(context.scene), m_plain(context, shadows, m_lights) {
+      m_lights(context, shadows), m_textures(context, {context.scene.settings().adc_bailout}),
+      m_plain(context, shadows, m_lights) {
   const Needs& needs = context.scene.needs();
   m_works = m_lights.works() && !context.indirect && !needs.media && !needs.subsurface;
   // Photons light surfaces one by one.
-  const double bailout = context.scene.settings().adc_bailout;
-  m_has_plain = m_plain.works() && !surface_photons(context) && bailout >= 0.0 && bailout < 1.0;
+  m_has_plain = m_plain.works() && !surface_photons(context);
   if (!m_works) return;
   m_nodes = std::make_unique<Node[]>(kMostNodes);
-  m_layers = std::make_unique<PlainLayer[]>(kMost * PlainTextures::kMostLayers);
 }
 
 void RayWaves::trace(std::span<const Ray> rays, std::span<const SampleOfPixel> samples,
@@ -59,9 +58,9 @@ void RayWaves::meet(std::size_t first, std::size_t end, const FirstHits* known) 
 namespace {
 
 /// The side of a surface where lights may light one of its layers; a null vector: both.
-Vec3 front_of(std::span<const PlainLayer> layers, const MetPlace& where) {
+Vec3 front_of(Layers layers, const MetPlace& where) {
   if (layers.size() == 1) return layers.front().normal;
-  return std::ranges::any_of(layers, &PlainLayer::is_turned) ? Vec3() : where.normal;
+  return std::ranges::any_of(layers, &Layer::is_turned) ? Vec3() : where.normal;
 }
 
 }  // namespace
@@ -69,13 +68,9 @@ Vec3 front_of(std::span<const PlainLayer> layers, const MetPlace& where) {
 [[gnu::always_inline]] inline void RayWaves::place(std::size_t at, const RayState& state,
                                                    const Hit& hit) {
   const MetPlace& place = *std::construct_at(&m_places[at], state.ray, hit);
-  if (m_has_plain) {
-    m_layer_count[at] = m_textures.find_layers(state.ray, hit, place, &m_layers[m_layers_used]);
-    m_layers_used += m_layer_count[at];
-    m_plain.add(layers(at), state.ray.direction);
-  }
+  m_found[at] = m_textures.find(state, hit, place, m_layers);
   if (m_textures.may_be_lit(*hit.leaf, place.from_behind)) {
-    m_lights.add(hit, place, front_of(layers(at), place));
+    m_lights.add(hit, place, front_of(plain_layers(at), place));
   } else {
     m_lights.add_none();
   }
@@ -84,19 +79,19 @@ Vec3 front_of(std::span<const PlainLayer> layers, const MetPlace& where) {
 void RayWaves::light(std::size_t first, std::size_t end) {
   m_lights.clear();
   m_plain.clear();
-  m_layers_used = 0;
+  m_layers.clear();
   for (std::size_t at = 0; at < end - first; ++at) {
-    m_first_layer[at] = m_layers_used;
-    m_layer_count[at] = 0;
     if (const Hit* hit = m_hits[at]) {
       place(at, *m_nodes[first + at].state, *hit);
     } else {
       m_lights.add_none();
-      m_plain.add({}, {});
     }
   }
   m_lights.find();
   if (!m_has_plain) return;
+  for (std::size_t at = 0; at < end - first; ++at) {
+    m_plain.add(m_hits[at] ? plain_layers(at) : Layers(), m_nodes[first + at].state->ray.direction);
+  }
   m_plain.light([&](std::uint32_t light, std::size_t at) {
     return m_stepper.filters(*m_nodes[first + at].state, m_places[at], light, m_lights, at);
   });
@@ -109,12 +104,13 @@ void RayWaves::shade(std::size_t first, std::size_t end) {
     const std::size_t at = i - first;
     if (const Hit* hit = m_hits[at]) {
       if (m_plain.is_known(at)) {
-        m_stepper.see_plain(
-            *node.state, *hit, m_places[at], layers(at),
+        m_stepper.see_lit(
+            *node.state, *hit, m_places[at], m_found[at], m_layers,
             [&](std::size_t layer) { return m_plain.sum(at, layer); }, node.record);
       } else {
         m_context.pixel = m_samples[node.root].pixel;
-        m_stepper.see_surface(*node.state, *hit, m_places[at], &m_lights, at, node.record);
+        m_stepper.see_layers(*node.state, *hit, m_places[at], m_found[at], m_layers, m_lights, at,
+                             node.record);
       }
       if (!node.record.onward.empty()) add_onward(node);
     } else {

@@ -16,8 +16,8 @@
 #include "core/trace/first_hits.h"
 #include "core/trace/integrator.h"
 #include "core/trace/plain_lights.h"
-#include "core/trace/plain_texture.h"
 #include "core/trace/ray_record.h"
+#include "core/trace/surface_layers.h"
 
 namespace lentray::core {
 
@@ -66,9 +66,9 @@ class RayWaves {
   void meet(std::size_t first, std::size_t end, const FirstHits* hits);
   void light(std::size_t first, std::size_t end);
   void place(std::size_t at, const RayState& state, const Hit& hit);
-  /// Of a node that is shaded; none: its texture is not plain.
-  std::span<const PlainLayer> layers(std::size_t at) const {
-    return {&m_layers[m_first_layer[at]], m_layer_count[at]};
+  /// Of a place that is shaded; none: the block cannot light them.
+  Layers plain_layers(std::size_t at) const {
+    return m_has_plain && m_found[at].is_plain ? m_found[at].of(m_layers) : Layers();
   }
   void shade(std::size_t first, std::size_t end);
   void add_onward(Node& node);
@@ -78,7 +78,7 @@ class RayWaves {
   Integrator& m_integrator;
   RayStepper& m_stepper;
   BlockLights m_lights;
-  PlainTextures m_textures;
+  SurfaceLayers m_textures;
   PlainLights m_plain;
   bool m_works, m_has_plain;
   std::span<const SampleOfPixel> m_samples;
@@ -89,9 +89,8 @@ class RayWaves {
   std::array<Hit, kMost> m_own_hits;
   std::array<const Hit*, kMost> m_hits;  ///< null: nothing
   std::array<MetPlace, kMost> m_places;
-  std::unique_ptr<PlainLayer[]> m_layers;  ///< of all: room for as many as there may be
-  std::size_t m_layers_used = 0;
-  std::array<std::size_t, kMost> m_first_layer, m_layer_count;
+  std::array<PlaceLayers, kMost> m_found;
+  LayerBuffer m_layers;  ///< of all
 };
 
 }  // namespace lentray::core
