@@ -170,40 +170,41 @@ FocalBlur::FocalBlur(const FocalBlurOptions& options) : m_least(options.least) {
   m_stops = stops_of(most, options, first_batches(rings));
 }
 
-BlurEstimate::BlurEstimate(const FocalBlur& blur, std::uint64_t key) : m_blur(blur) {
+BlurEstimate::BlurEstimate(const FocalBlur& blur, std::uint64_t key) : m_blur(&blur) {
   RandomSequence random(key, RandomSequence::Use::kPixelPlace);
   m_across = random.next();
   m_down = random.next();
 }
 
-bool BlurEstimate::wants_more() {
-  const auto& stop = m_blur.stops()[m_stop];
-  if (m_rays < stop.rays) return true;
-  if (m_stop + 1 == m_blur.stops().size()) return false;
-  ++m_stop;
-  if (m_rays < m_blur.least()) return true;
-  const auto varies = [&](std::size_t i) {
-    const double mean = m_sum[i] / m_rays;
-    const double variance = std::max(0.0, m_squares[i] / m_rays - mean * mean) / m_rays;
-    return !(variance < stop.threshold);
-  };
-  return varies(0) || varies(1) || varies(2) || varies(3);
+std::uint32_t BlurEstimate::more() {
+  const std::vector<FocalBlur::Stop>& stops = m_blur->stops();
+  if (m_rays == stops[m_stop].rays) {
+    if (m_stop + 1 == stops.size()) return 0;
+    const double threshold = stops[m_stop++].threshold;
+    const auto varies = [&](std::size_t i) {
+      const double mean = m_sum[i] / m_rays;
+      const double variance = std::max(0.0, m_squares[i] / m_rays - mean * mean) / m_rays;
+      return !(variance < threshold);
+    };
+    if (m_rays >= m_blur->least() && !(varies(0) || varies(1) || varies(2) || varies(3))) return 0;
+  }
+  return static_cast<std::uint32_t>(stops[m_stop].rays - m_rays);
 }
 
-BlurRay BlurEstimate::next(std::uint64_t key) const {
+BlurRay BlurEstimate::ray(std::uint32_t number, std::uint64_t key) const {
   // Steps of Roberts's sequence in two dimensions: inverse powers of the root of x^3 = x + 1.
   constexpr double kStepAcross = 0.7548776662466927, kStepDown = 0.5698402909980532;
-  const Vec2& point = m_blur.points()[static_cast<std::size_t>(m_rays)];
+  const Vec2& point = m_blur->points()[number];
   RandomSequence random(key, RandomSequence::Use::kAperture);
   const auto place = [&](double start, double step) {
-    const double x = start + m_rays * step;
+    const double x = start + number * step;
     return x - std::floor(x) - 0.5;
   };
   BlurRay ray;
   ray.across = place(m_across, kStepAcross);
   ray.down = place(m_down, kStepDown);
-  ray.x = point.u + (2.0 * random.next() - 1.0) * m_blur.jitter();
-  ray.y = point.v + (2.0 * random.next() - 1.0) * m_blur.jitter();
+  ray.x = point.u + (2.0 * random.next() - 1.0) * m_blur->jitter();
+  ray.y = point.v + (2.0 * random.next() - 1.0) * m_blur->jitter();
   return ray;
 }
 

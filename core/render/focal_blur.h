@@ -67,16 +67,16 @@ struct BlurRay {
 class BlurEstimate {
  public:
   BlurEstimate(const FocalBlur& blur, std::uint64_t key);
-  /// Whether another ray is wanted: next(), then add().
-  bool wants_more();
-  /// `key`: the ray's own; its random numbers follow from it.
-  BlurRay next(std::uint64_t key) const;
-  std::uint32_t rays() const { return static_cast<std::uint32_t>(m_rays); }
+  /// How many more rays are wanted, until the next look at the variances; 0: no more.
+  std::uint32_t more();
+  /// One of the rays of the sample. `key`: its own; its random numbers follow from it.
+  BlurRay ray(std::uint32_t number, std::uint64_t key) const;
+  /// What the next ray sees.
   void add(const Radiance& light);
   Radiance mean() const;
 
  private:
-  const FocalBlur& m_blur;
+  const FocalBlur* m_blur;
   double m_across, m_down;  ///< where the sequence of places in the pixel begins
   int m_rays = 0;
   std::size_t m_stop = 0;

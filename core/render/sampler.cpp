@@ -1,8 +1,8 @@
 #include "core/render/sampler.h"
 
-#include <span>
+#include <algorithm>
+#include <numeric>
 
-#include "core/render/focal_blur.h"
 #include "core/trace/random_key.h"
 
 namespace lentray::core {
@@ -20,124 +20,154 @@ Pixel nearest_pixel(const PixelPlace& place) {
           static_cast<std::uint32_t>(std::max(place.row, 0))};
 }
 
+/// Rays that are followed one by one are those of one sample, so that caches of shadows see the picture's order.
+std::size_t samples_a_block(bool together, bool is_mean) {
+  if (!together) return 1;
+  return is_mean ? 32 : 128;
+}
+
 }  // namespace
 
 Sampler::Sampler(const RaySource& camera, const SamplerOptions& options, Integrator& integrator,
                  FirstHits* hits, RayWaves* waves)
     : m_camera(camera), m_blur(camera.blur()), m_options(options),
-      m_is_mean(options.angles > 1 || m_blur || camera.rays_a_place() > 1),
-      m_integrator(integrator), m_hits(hits && hits->works() ? hits : nullptr),
-      m_waves(waves && waves->works() ? waves : nullptr) {}
+      m_angles(static_cast<std::size_t>(std::max(1, options.angles))), m_integrator(integrator),
+      m_hits(hits && hits->works() ? hits : nullptr),
+      m_waves(waves && waves->works() ? waves : nullptr),
+      m_block(samples_a_block(m_hits || m_waves,
+                              m_angles > 1 || m_blur || camera.rays_a_place() > 1)) {}
 
 void Sampler::add(const SamplePlace& wanted) {
+  const std::uint64_t key = key_of(wanted);
+  if (m_angles == 1) return add_direction(wanted.place, key);
+  for (std::size_t i = 0; i < m_angles; ++i) {
+    PixelPlace turned = wanted.place;
+    turned.turn = (static_cast<double>(i) + 0.5) / static_cast<double>(m_angles) - 0.5;
+    add_direction(turned, part_key(key, static_cast<std::uint32_t>(i)));
+  }
+}
+
+void Sampler::add_direction(const PixelPlace& place, std::uint64_t key) {
+  m_directions.push_back({place, key});
+  if (m_blur) m_estimates.emplace_back(*m_blur, key);
+}
+
+/// Rays of one number run side by side.
+void Sampler::trace_block(Layout layout) {
+  m_open.resize(m_directions.size());
+  std::iota(m_open.begin(), m_open.end(), 0u);
+  std::uint32_t number = 0;
+  while (const std::uint32_t more = more_rays(number)) {
+    m_asked.clear();
+    m_rays.clear();
+    m_of.clear();
+    for (const std::uint32_t end = number + more; number < end; ++number) {
+      for (const std::uint32_t direction : m_open) ask(direction, number);
+    }
+    trace_asked(layout);
+  }
+}
+
+std::uint32_t Sampler::more_rays(std::uint32_t before) {
+  if (!m_blur) return before == 0 ? m_camera.rays_a_place() : 0;
+  std::uint32_t more = 0;
+  std::erase_if(m_open, [&](std::uint32_t direction) {
+    const std::uint32_t wanted = m_estimates[direction].more();
+    more = std::max(more, wanted);
+    return wanted == 0;
+  });
+  return more;
+}
+
+void Sampler::ask(std::uint32_t direction, std::uint32_t number) {
   Ray ray;
-  const bool has_ray = m_camera.ray_at(wanted.place, ray);
-  m_block[m_count++] = {kNothing, has_ray};
+  SampleOfPixel of;
+  const bool has_ray = find_ray(m_directions[direction], number, of, ray);
+  m_asked.push_back({direction, has_ray});
   if (!has_ray) return;
   m_rays.push_back(ray);
-  m_of.push_back({nearest_pixel(wanted.place), key_of(wanted)});
+  m_of.push_back(of);
 }
 
-std::size_t Sampler::trace_block(Layout layout) {
-  if (m_rays.empty()) return m_count;
-  const FirstHits* hits = nullptr;
-  std::size_t rays = m_rays.size();
-  if (m_hits && layout == Layout::kNeighbours) {
-    rays = m_hits->find(m_rays);
-    hits = m_hits;
-  }
-  trace_rays(rays, hits);
-  std::size_t ray = 0;
-  for (std::size_t i = 0; i < m_count; ++i) {
-    Sample& sample = m_block[i];
-    if (!sample.has_ray) continue;
-    if (ray == rays) return i;
-    sample.seen = m_seen[ray++];
-    if (!m_options.alpha) sample.seen.transmit = 0.0f;
-  }
-  return m_count;
-}
-
-void Sampler::trace_rays(std::size_t rays, const FirstHits* hits) {
-  if (m_waves) {
-    m_waves->trace(std::span(m_rays).first(rays), std::span(m_of).first(rays), hits, m_seen);
-    return;
-  }
-  for (std::size_t i = 0; i < rays; ++i) {
-    const SampleOfPixel& of = m_of[i];
-    m_seen[i] = hits && hits->is_known(i)
-                    ? m_integrator.trace_met(m_rays[i], of.pixel, of.key, hits->hit(i))
-                    : m_integrator.trace(m_rays[i], of.pixel, of.key);
-  }
-}
-
-Sample Sampler::sample(const SamplePlace& wanted) {
-  const std::uint64_t key = key_of(wanted);
-  if (m_options.angles <= 1) return direction(wanted.place, key);
-  Sample sum{{}, false};
-  for (int i = 0; i < m_options.angles; ++i) {
-    PixelPlace turned = wanted.place;
-    turned.turn = (i + 0.5) / m_options.angles - 0.5;
-    const Sample one = direction(turned, part_key(key, static_cast<std::uint32_t>(i)));
-    sum.has_ray = sum.has_ray || one.has_ray;
-    sum.seen += one.seen;
-  }
-  sum.seen = sum.seen * (1.0f / static_cast<float>(m_options.angles));
-  return sum;
-}
-
-Sample Sampler::direction(const PixelPlace& place, std::uint64_t key) {
-  if (m_blur) return blurred(place, key);
-  if (m_camera.rays_a_place() > 1) return of_several_rays(place, key);
-  Ray ray;
-  if (!m_camera.ray_at(place, ray)) return {kNothing, false};
-  return {trace(ray, place, key), true};
-}
-
-Sample Sampler::of_several_rays(const PixelPlace& place, std::uint64_t key) {
-  const Pixel pixel = nearest_pixel(place);
-  const EyePlace at = m_camera.eye_place(pixel.column, pixel.row);
-  Radiance sum;
-  int count = 0, black = 0;
-  for (std::uint32_t i = 0; i < m_camera.rays_a_place(); ++i) {
-    Ray ray;
-    if (!m_camera.one_ray_at(place, m_camera.ray_of(at, i), ray)) {
-      if (m_camera.missing_rays_are_black()) ++black;
-      continue;
-    }
-    sum += trace(ray, place, part_key(key, i));
-    ++count;
-  }
-  if (count == 0) return {kNothing, false};
-  return {sum * (1.0f / static_cast<float>(count + black)), true};
-}
-
-Sample Sampler::blurred(const PixelPlace& place, std::uint64_t key) {
-  BlurEstimate estimate(*m_blur, key);
-  bool any = false;
-  while (estimate.wants_more()) {
+bool Sampler::find_ray(const Direction& direction, std::uint32_t number, SampleOfPixel& of,
+                       Ray& ray) const {
+  const PixelPlace& place = direction.place;
+  of = {nearest_pixel(place), direction.key};
+  if (m_blur) {
     // Numbers that are no direction's part of the sample, but for 0.
-    const auto part = estimate.rays() * static_cast<std::uint32_t>(std::max(1, m_options.angles));
-    const std::uint64_t ray_key = part_key(key, part);
-    const BlurRay way = estimate.next(ray_key);
+    of.key = part_key(direction.key, number * static_cast<std::uint32_t>(m_angles));
+    const BlurRay way =
+        m_estimates[static_cast<std::size_t>(&direction - m_directions.data())].ray(number, of.key);
     PixelPlace through = place;
     through.across += way.across;
     through.down += way.down;
-    Ray ray;
-    Radiance one = kNothing;
-    if (m_camera.lens_ray_at(through, way.x, way.y, ray)) {
-      one = trace(ray, place, ray_key);
-      any = true;
-    }
-    estimate.add(one);
+    return m_camera.lens_ray_at(through, way.x, way.y, ray);
   }
-  return {estimate.mean(), any};
+  if (m_camera.rays_a_place() == 1) return m_camera.ray_at(place, ray);
+  of.key = part_key(direction.key, number);
+  const EyePlace at = m_camera.eye_place(of.pixel.column, of.pixel.row);
+  return m_camera.one_ray_at(place, m_camera.ray_of(at, number), ray);
 }
 
-Radiance Sampler::trace(const Ray& ray, const PixelPlace& place, std::uint64_t key) {
-  Radiance seen = m_integrator.trace(ray, nearest_pixel(place), key);
-  if (!m_options.alpha) seen.transmit = 0.0f;
-  return seen;
+void Sampler::trace_asked(Layout layout) {
+  m_seen.resize(m_rays.size());
+  const std::span<const Ray> all = m_rays;
+  for (std::size_t first = 0; first < all.size();) {
+    std::size_t count = std::min(kTogether, all.size() - first);
+    const FirstHits* hits = nullptr;
+    if (m_hits && layout == Layout::kNeighbours) {
+      count = m_hits->find(all.subspan(first, count));
+      hits = m_hits;
+    }
+    trace(all.subspan(first, count), std::span(m_of).subspan(first, count), hits,
+          std::span(m_seen).subspan(first, count));
+    first += count;
+  }
+  std::size_t ray = 0;
+  for (const Asked& asked : m_asked) take(asked, asked.has_ray ? m_seen[ray++] : kNothing);
+}
+
+void Sampler::trace(std::span<const Ray> rays, std::span<const SampleOfPixel> of,
+                    const FirstHits* hits, std::span<Radiance> seen) {
+  if (m_waves) return m_waves->trace(rays, of, hits, seen);
+  for (std::size_t i = 0; i < rays.size(); ++i) {
+    seen[i] = hits && hits->is_known(i)
+                  ? m_integrator.trace_met(rays[i], of[i].pixel, of[i].key, hits->hit(i))
+                  : m_integrator.trace(rays[i], of[i].pixel, of[i].key);
+  }
+}
+
+void Sampler::take(const Asked& asked, const Radiance& light) {
+  Direction& direction = m_directions[asked.direction];
+  Radiance seen = light;
+  if (asked.has_ray && !m_options.alpha) seen.transmit = 0.0f;
+  if (m_blur) m_estimates[asked.direction].add(seen);
+  if (!asked.has_ray) {
+    direction.black += m_camera.missing_rays_are_black() ? 1 : 0;
+    return;
+  }
+  direction.sum += seen;
+  ++direction.rays;
+}
+
+Sample Sampler::mean(std::size_t number) const {
+  const Direction& direction = m_directions[number];
+  if (m_blur) return {m_estimates[number].mean(), direction.rays > 0};
+  if (direction.rays == 0) return {kNothing, false};
+  if (m_camera.rays_a_place() == 1) return {direction.sum, true};
+  return {direction.sum * (1.0f / static_cast<float>(direction.rays + direction.black)), true};
+}
+
+Sample Sampler::sample(std::size_t number) const {
+  if (m_angles == 1) return mean(number);
+  Sample sum{{}, false};
+  for (std::size_t i = 0; i < m_angles; ++i) {
+    const Sample one = mean(number * m_angles + i);
+    sum.has_ray = sum.has_ray || one.has_ray;
+    sum.seen += one.seen;
+  }
+  sum.seen = sum.seen * (1.0f / static_cast<float>(m_angles));
+  return sum;
 }
 
 }  // namespace lentray::core

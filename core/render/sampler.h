@@ -4,11 +4,12 @@
 #pragma once
 
 #include <algorithm>
-#include <array>
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <vector>
 
+#include "core/render/focal_blur.h"
 #include "core/render/ray_source.h"
 #include "core/trace/first_hits.h"
 #include "core/trace/integrator.h"
@@ -45,64 +46,76 @@ class Sampler {
     kNeighbours,  ///< most have the next one beside them: worth a common search
     kScattered,
   };
-  /// Samples 0 to `count` - 1, in this order: `place_of(i)` -> SamplePlace is asked for some 64 of them ahead,
-  /// perhaps more than once, then `keep(i, sample)` -> bool is called for each. False as soon as keep() said so.
+  /// Samples 0 to `count` - 1, in this order: `place_of(i)` -> SamplePlace is asked for some of them ahead, then
+  /// `keep(i, sample)` -> bool is called for each. False as soon as keep() said so.
   template <class PlaceOf, class Keep>
   bool samples(std::size_t count, Layout layout, const PlaceOf& place_of, const Keep& keep) {
-    if (m_is_mean || !(m_hits || m_waves)) {
-      for (std::size_t i = 0; i < count; ++i) {
-        if (!keep(i, sample(place_of(i)))) return false;
-      }
-      return true;
-    }
-    for (std::size_t first = 0; first < count;) {
-      clear_block();
-      const std::size_t end = std::min(count, first + kMost);
+    for (std::size_t first = 0; first < count; first += m_block) {
+      const std::size_t end = std::min(count, first + m_block);
+      begin_block();
       for (std::size_t i = first; i < end; ++i) add(place_of(i));
-      const std::size_t done = trace_block(layout);
-      for (std::size_t i = 0; i < done; ++i) {
-        if (!keep(first + i, m_block[i])) return false;
+      trace_block(layout);
+      for (std::size_t i = first; i < end; ++i) {
+        if (!keep(i, sample(i - first))) return false;
       }
-      first += done;
     }
     return true;
   }
 
  private:
-  static constexpr std::size_t kMost = FirstHits::kMost;
+  static constexpr std::size_t kTogether = FirstHits::kMost;  ///< rays
 
-  Sample sample(const SamplePlace& wanted);
-  /// One of the directions within a pixel.
-  Sample direction(const PixelPlace& place, std::uint64_t key);
-  Sample of_several_rays(const PixelPlace& place, std::uint64_t key);
-  Sample blurred(const PixelPlace& place, std::uint64_t key);
-  Radiance trace(const Ray& ray, const PixelPlace& place, std::uint64_t key);
+  /// One of the directions of a sample: the mean of its rays.
+  struct Direction {
+    PixelPlace place;
+    std::uint64_t key;
+    Radiance sum{};
+    int rays = 0;
+    int black = 0;  ///< rays that are none, but count
+  };
+  /// A ray of a direction; or that there is none.
+  struct Asked {
+    std::uint32_t direction;
+    bool has_ray;
+  };
 
-  void clear_block() {
-    m_count = 0;
-    m_rays.clear();
-    m_of.clear();
+  void begin_block() {
+    m_directions.clear();
+    m_estimates.clear();
   }
-  /// The next sample of the block, at most kMost.
+  /// The next sample of the block.
   void add(const SamplePlace& wanted);
-  /// Traces the first samples of the block: of how many.
-  std::size_t trace_block(Layout layout);
-  /// What is seen along so many rays of the block. Null: nothing is known of them.
-  void trace_rays(std::size_t rays, const FirstHits* hits);
+  void add_direction(const PixelPlace& place, std::uint64_t key);
+  void trace_block(Layout layout);
+  /// How many more rays the directions of m_open want that have had `before`; takes those away that have enough.
+  std::uint32_t more_rays(std::uint32_t before);
+  void ask(std::uint32_t direction, std::uint32_t number);
+  bool find_ray(const Direction& direction, std::uint32_t number, SampleOfPixel& of,
+                Ray& ray) const;
+  void trace_asked(Layout layout);
+  void trace(std::span<const Ray> rays, std::span<const SampleOfPixel> of, const FirstHits* hits,
+             std::span<Radiance> seen);
+  void take(const Asked& asked, const Radiance& seen);
+  /// Of the block, once it is traced.
+  Sample sample(std::size_t number) const;
+  Sample mean(std::size_t direction) const;
 
   const RaySource& m_camera;
   const FocalBlur* const m_blur;
   const SamplerOptions m_options;
-  const bool m_is_mean;  ///< whether a sample is more than one ray
+  const std::size_t m_angles;  ///< directions a sample
   Integrator& m_integrator;
-  FirstHits* const m_hits;  ///< null: each ray is searched for alone
-  RayWaves* const m_waves;  ///< null: each ray is followed alone
-  std::array<Sample, kMost> m_block;
-  std::size_t m_count = 0;  ///< of the block
-  // Of those samples of the block that have one.
+  FirstHits* const m_hits;    ///< null: each ray is searched for alone
+  RayWaves* const m_waves;    ///< null: each ray is followed alone
+  const std::size_t m_block;  ///< samples in a block
+  std::vector<Direction> m_directions;
+  std::vector<BlurEstimate> m_estimates;  ///< one a direction, if rays start at an aperture
+  std::vector<std::uint32_t> m_open;      ///< directions that have not all of their rays
+  std::vector<Asked> m_asked;
+  // Of those that have a ray.
   std::vector<Ray> m_rays;
   std::vector<SampleOfPixel> m_of;
-  std::array<Radiance, kMost> m_seen;
+  std::vector<Radiance> m_seen;
 };
 
 }  // namespace lentray::core

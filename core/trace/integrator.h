@@ -45,11 +45,6 @@ class Integrator {
   /// outside of a sample that is traced begins the context's indirect light itself.
   GatheredRay gather(const GatherRay& ray);
 
-  /// The same as trace() of sample 0 of a ray that is known to meet this first.
-  Radiance trace_met(const Ray& ray, Pixel pixel, const Hit* hit) {
-    return trace_met(ray, pixel, std::bit_cast<std::uint64_t>(pixel), hit);
-  }
-
  private:
   RayState begin(const Ray& ray, Pixel pixel, std::uint64_t key);
   Radiance follow(const RayState& state);

@@ -32,12 +32,6 @@ Rgb LightLoop::filters(const LitPoint& lit, std::uint32_t light, const BlockLigh
   return m_plain->filters(query);
 }
 
-void LightLoop::ask_alone(const LitPoint& lit, IncomingLight& incoming, LightsAtPoint& known) {
-  known.spots[incoming.source->index].known = false;
-  ShadowQuery query = query_at(lit);
-  ask(incoming, query, known);
-}
-
 Rgb LightLoop::of_area(const Rgb& colour, const LightRay& ray, ShadowQuery& query) {
   const Light& source = m_scene.lights()[query.light];
   query.spot = nullptr;

@@ -77,26 +77,26 @@ struct LitPoint {
   bool volumes = true;       ///< fog and media dim what arrives
 };
 
-/// What is known of the lights at one point: where it lies in their buffers, and what arrives of them,
-/// which all layers of a texture share. A buffer that is used from point to point.
+/// What is known of the lights at one point: where it lies in their buffers. A buffer that is used from point to point.
 struct LightsAtPoint {
-  explicit LightsAtPoint(std::size_t lights) : arriving(lights), is_known(lights), spots(lights) {}
+  explicit LightsAtPoint(std::size_t lights) : spots(lights) {}
+  /// All but what the block knows is to be asked for.
+  void begin_in_block(const BlockLights& of, std::size_t at) {
+    block = &of;
+    place = at;
+    for (LightBuffer::Spot& spot : spots) spot.known = false;
+  }
   const BlockLights* block = nullptr;  ///< that has asked for the point already; null: none
   std::size_t place = 0;               ///< of the point in it
-  void forget_arriving() { std::fill(is_known.begin(), is_known.end(), std::uint8_t{0}); }
-  std::vector<Rgb> arriving;
-  std::vector<std::uint8_t> is_known;  ///< whether `arriving` is
   std::vector<LightBuffer::Spot> spots;
 };
 
 class LightLoop {
  public:
-  /// `area_lights`: false: they are points. `asked_again`: a point may be asked for more than once
-  /// (LightsAtPoint::forget_arriving() between points).
-  LightLoop(ThreadContext& context, ShadowTester& shadows, bool area_lights, bool asked_again)
+  /// `area_lights`: false: they are points.
+  LightLoop(ThreadContext& context, ShadowTester& shadows, bool area_lights)
       : m_context(context), m_scene(context.scene), m_shadows(shadows), m_plain(shadows.plain()),
-        m_asked_again(asked_again), m_tolerance(kShadowTolerance * context.scene.tolerance_scale()),
-        m_shaft(context) {
+        m_tolerance(kShadowTolerance * context.scene.tolerance_scale()), m_shaft(context) {
     for (std::size_t i = 0; i < m_scene.lights().size(); ++i) {
       m_sources.emplace_back(m_scene.lights()[i], static_cast<std::uint32_t>(i),
                              m_scene.light_buffer(i), area_lights);
@@ -150,22 +150,14 @@ class LightLoop {
   Rgb filters(const LitPoint& lit, std::uint32_t light, const BlockLights& block,
               std::size_t place) const;
   /// Takes from the colour what does not arrive.
-  void ask(IncomingLight& incoming, ShadowQuery& query, LightsAtPoint& known) {
+  void ask(IncomingLight& incoming, ShadowQuery& query, const LightsAtPoint& known) {
     if (!incoming.source->may_be_hindered) return;
     const std::uint32_t light = incoming.source->index;
-    if (m_asked_again && known.is_known[light]) {
-      incoming.colour = known.arriving[light];
-      return;
-    }
     query.light = light;
     if (incoming.source->has_area) {
       incoming.colour = of_area(incoming.colour, incoming.ray, query);
     } else {
       incoming.colour = of_point(incoming.colour, incoming.ray, query, known);
-    }
-    if (m_asked_again) {
-      known.arriving[light] = incoming.colour;
-      known.is_known[light] = 1;
     }
   }
 
@@ -180,47 +172,25 @@ class LightLoop {
   template <class Facing, class Receiver>
   [[gnu::always_inline]] void at(const LitPoint& lit, const LightLists& lists, LightsAtPoint& known,
                                  const Facing& facing, Receiver& receiver) {
-    if (known.block) return at_in_block(lit, lists, known, facing, receiver);
     ShadowQuery query = query_at(lit);
     for (const std::span<const std::uint32_t> lights : lists) {
       for (const std::uint32_t i : lights) {
+        const LightAnswers::Answer answer =
+            known.block ? known.block->answer(i, known.place) : LightAnswers::kUnknown;
         IncomingLight incoming;
-        if (!may_reach(m_sources[i], lit.point, facing, incoming)) continue;
-        ask(incoming, query, known);
+        if (LightAnswers::has_ray(answer)) {
+          if (!faces_known(m_sources[i], lit.point, facing, known, incoming)) continue;
+          if (!pass(answer, lit, known, receiver, incoming)) continue;
+        } else {
+          if (!may_reach(m_sources[i], lit.point, facing, incoming)) continue;
+          ask(incoming, query, known);
+        }
         resolve(incoming, receiver);
       }
     }
   }
 
  private:
-  /// at() where the block has asked for most lights.
-  template <class Facing, class Receiver>
-  [[gnu::always_inline]] void at_in_block(const LitPoint& lit, const LightLists& lists,
-                                          LightsAtPoint& known, const Facing& facing,
-                                          Receiver& receiver) {
-    for (const std::span<const std::uint32_t> lights : lists) {
-      for (const std::uint32_t i : lights) {
-        const LightAnswers::Answer answer = known.block->answer(i, known.place);
-        IncomingLight incoming;
-        if (!LightAnswers::has_ray(answer)) {
-          if (!may_reach(m_sources[i], lit.point, facing, incoming)) continue;
-          ask_alone(lit, incoming, known);
-        } else {
-          if (!faces_known(m_sources[i], lit.point, facing, known, incoming)) continue;
-          if (m_asked_again && known.is_known[i]) {
-            incoming.colour = known.arriving[i];
-          } else if (!m_asked_again && answer == LightAnswers::kFiltered &&
-                     !receiver.may_show(incoming)) {
-            m_plain->count(i, false, false);
-            continue;
-          } else {
-            pass(answer, lit, incoming, known);
-          }
-        }
-        resolve(incoming, receiver);
-      }
-    }
-  }
   /// may_reach() where the ray is known.
   template <class Facing>
   [[gnu::always_inline]] static bool faces_known(const LightSource& source, const Vec3& point,
@@ -231,25 +201,19 @@ class LightLoop {
     out.colour = source.even ? source.colour : light_colour(source.light, point, out.ray);
     return !is_dark(out.colour) && facing.faces(source, out.ray.direction);
   }
-  /// ask() where the answer is known.
-  [[gnu::always_inline]] void pass(LightAnswers::Answer answer, const LitPoint& lit,
-                                   IncomingLight& incoming, LightsAtPoint& known) {
+  /// ask() where the answer is known. False: whatever filters leave of the light shows nothing.
+  template <class Receiver>
+  [[gnu::always_inline]] bool pass(LightAnswers::Answer answer, const LitPoint& lit,
+                                   const LightsAtPoint& known, const Receiver& receiver,
+                                   IncomingLight& incoming) {
     const std::uint32_t light = incoming.source->index;
+    const bool is_filtered = answer == LightAnswers::kFiltered;
     m_plain->count(light, LightAnswers::is_dark(answer), answer == LightAnswers::kForeseen);
-    if (LightAnswers::is_dark(answer)) {
-      incoming.colour *= Rgb(0.0f);
-    } else if (answer == LightAnswers::kFiltered) {
-      pass_filters(lit, incoming, known);
-    }
-    if (m_asked_again) {
-      known.arriving[light] = incoming.colour;
-      known.is_known[light] = 1;
-    }
+    if (is_filtered && !receiver.may_show(incoming)) return false;
+    if (LightAnswers::is_dark(answer)) incoming.colour *= Rgb(0.0f);
+    if (is_filtered) incoming.colour *= filters(lit, light, *known.block, known.place);
+    return true;
   }
-  void pass_filters(const LitPoint& lit, IncomingLight& incoming, const LightsAtPoint& known) {
-    incoming.colour *= filters(lit, incoming.source->index, *known.block, known.place);
-  }
-  void ask_alone(const LitPoint& lit, IncomingLight& incoming, LightsAtPoint& known);
 
   /// Collects one light; false: it is dark at the point, or unwanted.
   template <class Facing>
@@ -294,8 +258,7 @@ class LightLoop {
   const Scene& m_scene;
   ShadowTester& m_shadows;
   PlainShadowTester* const m_plain;  ///< null: `m_shadows` is to be asked for each ray
-  const bool m_asked_again;
-  const double m_tolerance;  ///< kShadowTolerance in this scene
+  const double m_tolerance;          ///< kShadowTolerance in this scene
   AreaShaft m_shaft;
   std::vector<LightSource> m_sources;  ///< one a light of the scene
 };

@@ -116,7 +116,7 @@ class MediaLight::Probe final : public MediaProbe {
 };
 
 MediaLight::MediaLight(ThreadContext& context, ShadowTester& shadows)
-    : m_context(context), m_lights(context, shadows, true, false),
+    : m_context(context), m_lights(context, shadows, true),
       m_photons(media_photons(context)), m_at_point(context.scene.lights().size()),
       m_part_of(context.scene.lights().size()) {}
 

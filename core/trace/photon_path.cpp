@@ -193,8 +193,7 @@ bool PhotonPath::refract(const Meeting& at, Layers layers, const Leg& leg) {
   return false;
 }
 
-bool PhotonPath::bend(const Meeting& at, Layers layers, double ior, const Leg& before,
-                      Leg onward) {
+bool PhotonPath::bend(const Meeting& at, Layers layers, double ior, const Leg& before, Leg onward) {
   const auto direction = refracted(before.ray.direction, layers.front().normal, ior);
   if (!direction) {
     // What no layer filters goes back, as heavy as what would have gone on.

@@ -37,8 +37,7 @@ class PhotonPath {
   bool refract(const Meeting& at, Layers layers, const Leg& leg);
   bool bend(const Meeting& at, Layers layers, double ior, const Leg& before, Leg onward);
   void mirror(const Meeting& at, const Vec3& normal, Leg onward);
-  void mirror_layers(const Meeting& at, Layers layers, bool total_reflection,
-                     const Leg& leg);
+  void mirror_layers(const Meeting& at, Layers layers, bool total_reflection, const Leg& leg);
 
   ThreadContext& m_context;
   const Scene& m_scene;

@@ -45,12 +45,12 @@ struct MetPlace {
 struct Surface {
   const RayState& state;
   const Attributes& attributes;
-  SurfaceContext context;      ///< what patterns see
-  Vec3 normal;                 ///< unit, facing the ray
-  double texture_weight;       ///< of the texture that is shaded, among those that blend there
-  int level;                   ///< trace level, 1: camera ray
-  std::uint32_t layer;         ///< layers shaded so far, of all textures
-  bool from_behind;            ///< the ray leaves the surface's solid
+  SurfaceContext context;  ///< what patterns see
+  Vec3 normal;             ///< unit, facing the ray
+  double texture_weight;   ///< of the texture that is shaded, among those that blend there
+  int level;               ///< trace level, 1: camera ray
+  std::uint32_t layer;     ///< layers shaded so far, of all textures
+  bool from_behind;        ///< the ray leaves the surface's solid
 
   const Ray& ray() const { return state.ray; }
   const Vec3& point() const { return context.point; }

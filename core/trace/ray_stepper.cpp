@@ -21,9 +21,8 @@ std::uint32_t next_place(std::uint32_t tree_place) { return std::min(tree_place,
 RayStepper::RayStepper(ThreadContext& context, ShadowTester& shadows, const PathRules& rules)
     : m_context(context), m_scene(context.scene), m_paths(m_scene.needs()),
       m_hierarchy(m_scene.hierarchy()), m_layers(context, rules),
-      m_shading(context, shadows, rules),
-      m_max_level(m_scene.settings().max_trace_level), m_bailout(rules.adc_bailout),
-      m_min_distance(kMinHitDistance * m_scene.tolerance_scale()),
+      m_shading(context, shadows, rules), m_max_level(m_scene.settings().max_trace_level),
+      m_bailout(rules.adc_bailout), m_min_distance(kMinHitDistance * m_scene.tolerance_scale()),
       m_atmosphere_ior(m_scene.settings().atmosphere_ior),
       m_mirror_images(m_scene.settings().mirror_images),
       m_air(m_scene.needs().atmosphere && rules.volumes ? &m_scene.atmosphere() : nullptr) {
@@ -83,6 +82,7 @@ void RayStepper::see_layers(const RayState& state, const Hit& hit, const MetPlac
 
 void RayStepper::shade(Surface& at, const PlaceLayers& found, const LayerBuffer& layers,
                        ShadingBuffers& buffers, RayRecord& record) {
+  m_shading.find_lit(found.of(layers), at, buffers);
   each_texture(found, layers, record, [&](Layers texture, double weight) {
     at.texture_weight = weight;
     buffers.begin_texture();

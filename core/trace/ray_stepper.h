@@ -159,8 +159,8 @@ class RayStepper {
   bool go_on_from(Layers layers) const {
     if (layers.empty()) return false;
     if (layers.back().clear > m_bailout) return true;
-    return std::ranges::any_of(
-        layers, [](const Layer& layer) { return !layer.mirror.colour.is_black(); });
+    return std::ranges::any_of(layers,
+                               [](const Layer& layer) { return !layer.mirror.colour.is_black(); });
   }
   void go_on(const RayState& state, const Hit& hit, const MetPlace& where, Layers layers,
              RayRecord& record);

@@ -11,8 +11,8 @@ RayWaves::RayWaves(ThreadContext& context, Integrator& integrator, ShadowTester&
     : m_context(context), m_integrator(integrator), m_stepper(integrator.stepper()),
       m_lights(context, shadows), m_textures(context, {context.scene.settings().adc_bailout}),
       m_plain(context, shadows, m_lights) {
-  const Needs& needs = context.scene.needs();
-  m_works = m_lights.works() && !context.indirect && !needs.media && !needs.subsurface;
+  // Indirect light is asked for in the order of the rays of one sample after the other.
+  m_works = m_lights.works() && !context.indirect;
   // Photons light surfaces one by one.
   m_has_plain = m_plain.works() && !surface_photons(context);
   if (!m_works) return;
@@ -77,6 +77,9 @@ Vec3 front_of(Layers layers, const MetPlace& where) {
 }
 
 void RayWaves::light(std::size_t first, std::size_t end) {
+  if (std::none_of(m_hits.begin(), m_hits.begin() + (end - first),
+                   [](const Hit* hit) { return hit; }))
+    return;
   m_lights.clear();
   m_plain.clear();
   m_layers.clear();

@@ -90,7 +90,7 @@ SubsurfaceLight::SubsurfaceLight(ThreadContext& context, ShadowTester& shadows,
                                  const PathRules& rules)
     : m_context(context), m_settings(context.scene.settings()), m_rules(rules),
       m_min_distance(kMinHitDistance * context.scene.tolerance_scale()),
-      m_lights(context, shadows, rules.area_lights, false), m_known(m_lights.lights()) {}
+      m_lights(context, shadows, rules.area_lights), m_known(m_lights.lights()) {}
 
 const ReducedAlbedo& SubsurfaceLight::albedo(double ior) {
   const auto found = std::find_if(m_albedos.begin(), m_albedos.end(),

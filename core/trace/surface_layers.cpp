@@ -104,9 +104,14 @@ SurfaceLayers::Kind SurfaceLayers::made(const Texture& texture) const {
   set_below(above * (m_may_be_clear ? passed(colour) : Rgb(0.0f)), out);
 }
 
-Reflectivity SurfaceLayers::mirror_of(const Layer& layer, const Eye& eye) const {
+[[gnu::always_inline]] inline Reflectivity SurfaceLayers::mirror_of(const Layer& layer,
+                                                                    const Eye& eye) const {
+  if (!m_paths.reflection || !reflects(*layer.finish)) return {};
+  return seen_mirror(layer, eye);
+}
+
+Reflectivity SurfaceLayers::seen_mirror(const Layer& layer, const Eye& eye) const {
   const Finish& finish = *layer.finish;
-  if (!m_paths.reflection || !reflects(finish)) return {};
   const double ior = finish.reflection_fresnel
                          ? relative_ior(interior_of(eye.hit.leaf->attributes(), eye.hit.object),
                                         m_context.interiors, eye.inside, m_settings.atmosphere_ior)
@@ -162,8 +167,7 @@ void SurfaceLayers::find_blended(const Eye& eye, const MetPlace& where, SurfaceC
     surface.normal = where.normal;
     const std::size_t before = out.layers.size();
     find_in(*texture.texture, m_found.place(texture), eye, surface, out.layers);
-    out.parts.push_back(
-        {texture.weight, static_cast<std::uint32_t>(out.layers.size() - before)});
+    out.parts.push_back({texture.weight, static_cast<std::uint32_t>(out.layers.size() - before)});
   }
 }
 

@@ -71,6 +71,8 @@ class SurfaceLayers {
   /// All but the normal, the mirror and what passes.
   void colour(const TextureLayer& layer, const Colour& colour, Layer& out) const;
   Reflectivity mirror_of(const Layer& layer, const Eye& eye) const;
+  /// Of a finish that reflects.
+  Reflectivity seen_mirror(const Layer& layer, const Eye& eye) const;
   /// `above`: as `below` of the layer above.
   void pass(const Colour& colour, const Rgb& above, Layer& out) const;
 

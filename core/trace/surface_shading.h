@@ -11,10 +11,10 @@
 
 #include "core/photon/photon_tree.h"
 #include "core/trace/indirect_light.h"
+#include "core/trace/layer.h"
 #include "core/trace/light_loop.h"
 #include "core/trace/path_features.h"
 #include "core/trace/path_rules.h"
-#include "core/trace/layer.h"
 #include "core/trace/ray_state.h"
 #include "core/trace/subsurface_light.h"
 
@@ -30,6 +30,7 @@ struct ShadingBuffers {
   }
   LayerBuffer layers;
   LightsAtPoint lights;
+  std::vector<Rgb> lit;                    ///< by lights: of each layer of the surface
   std::array<IndirectAnswer, 2> indirect;  ///< of the front and the back
   std::array<bool, 2> is_indirect_known{};
   FoundPhotons photons, more_photons;
@@ -48,13 +49,13 @@ class SurfaceShading {
   /// To be called before anything else of a surface. `block`: has asked for its lights, at `place`; null: nobody has.
   void begin(const Surface& at, const BlockLights* block, std::size_t place,
              ShadingBuffers& buffers) const {
-    if (m_paths.layers) buffers.lights.forget_arriving();
-    buffers.lights.block = block;
-    buffers.lights.place = place;
-    if (block) return;
+    if (block) return buffers.lights.begin_in_block(*block, place);
+    buffers.lights.block = nullptr;
     m_lights.look_ahead(m_lights.lights_of(at.attributes), at.normal, at.hit(), at.from_behind,
                         at.point(), buffers.lights);
   }
+  /// Finds what the lights make of all layers of a surface, for light().
+  void find_lit(Layers layers, const Surface& at, ShadingBuffers& buffers);
   /// Adds to a layer's own light what comes from elsewhere, in a certain order. `above`: what the layers above let
   /// through.
   void light(const Layer& layer, const Rgb& above, const Surface& at, ShadingBuffers& buffers,
@@ -71,14 +72,15 @@ class SurfaceShading {
            const Surface& at) const;
 
  private:
-  struct Facing;
-  struct Receiver;
+  template <bool kOne>
+  struct LitLayers;
+  template <bool kOne>
+  void find_lit(Layers layers, const Surface& at, ShadingBuffers& buffers);
   /// The light of other surfaces.
   Rgb indirectly_lit(const Layer& layer, const Rgb& above, const Surface& at,
                      ShadingBuffers& buffers);
   /// In place of the diffuse light of lights.
   Rgb scattered(const Layer& layer, const Rgb& above, const Surface& at, ShadingBuffers& buffers);
-  Rgb lit(const Layer& layer, const Surface& at, LightsAtPoint& known);
   /// Of the photons that came to rest nearby.
   Rgb lit_by_photons(const Layer& layer, const Surface& at, ShadingBuffers& buffers);
   bool collects_photons(const Surface& at) const;

@@ -16,6 +16,10 @@ Kinds of scenes:
   corpus      20 of Debian's povray-examples, 64 x 48
   auto        the SPD scenes as sheets of 150 x 120 with Shadow_Cache=auto, also without light buffers (-UL), where
               caches are asked
+  thick       lens sheets with Lens_Model=thick and 8 rays a pixel, 120 x 90
+  blur        cameras with an aperture: examples whose camera has one, or to which one is added, 96 x 72
+  media, areas, radiosity, photons
+              examples with media, area lights, radiosity and photons, 96 x 72 or smaller
 
 The table has millions of instructions before and after, their ratio, and the ratio without what the same build needs
 for an empty scene of one pixel. The limits are for the latter; the empty scene itself is judged as a whole.
@@ -42,6 +46,32 @@ advanced/teapot/teapot advanced/whiltile advanced/woodbox camera/fisheye camera/
 interior/fog_std interior/iortest lights/arealit2 objects/chesmsh objects/csg/granite objects/lathe1a
 objects/fractal1 textures/normals/normavg textures/patterns/pigment_pattern
 """.split()
+
+THICK = """
+advanced/infinitybox advanced/teapot/teapot advanced/whiltile textures/patterns/agate objects/blob objects/chesmsh
+objects/lathe1a interior/skysph1 lights/spotlite incdemo/woods/woods2
+""".split()
+MEDIA = """
+advanced/abyss interior/media/galaxy interior/media/hollow2 interior/media/hollow3 interior/media/media1
+interior/media/media2 interior/media/media3 interior/media/media4 interior/media/media5 interior/media/micro
+lights/phot_met_glass interior/media/hollow1
+""".split()
+AREAS = """
+lights/arealit1 lights/arealit2 lights/arealit3 lights/circular lights/orient lights/shadows lights/soft advanced/woodbox
+""".split()
+RADIOSITY = """
+radiosity/cornell radiosity/radiosity2 radiosity/radiosity3 radiosity/radiosity_37 radiosity/rad_def_test_37
+radiosity/radiosity_36 radiosity/rad_def_test_36 radiosity/patio-radio_37
+""".split()
+PHOTONS = """
+lights/glassthing lights/phot_met_glass advanced/optics advanced/benchmark/benchmark
+""".split()
+# The cameras of these examples, with an aperture.
+BLURRED = {
+    "objects/csg/granite": "location <0, 3.5, -3.7> angle 69 right x*image_width/image_height look_at <0, -0.25, 0>",
+    "objects/lathe1a": "location <0, 7, -10> right x*image_width/image_height angle 45 look_at <0, -0.2, 0>",
+    "objects/blob": "location <0, 0, -5> right x*image_width/image_height angle 60 look_at 0",
+}
 
 Cost = collections.namedtuple("Cost", "before after why")
 
@@ -72,7 +102,30 @@ def one_a_primitive(parser, args):
     return scenes
 
 
-MAKERS = {"spd": spd, "primitives": one_a_primitive, "corpus": corpus, "auto": auto}
+def thick(parser, args):
+    paths = [(name, ROOT / "scenes" / f"spd_{name}.pov") for name in ("balls", "gears")]
+    paths += two_builds.examples(parser, THICK)
+    sheet = ["Lenticular=On", "Lens_Model=thick", "Lens_Rays=8", "-A", "+W120", "+H90"]
+    return [Scene("thick", name, path, sheet) for name, path in paths]
+
+
+def blur(parser, args):
+    scenes = [Scene("blur", name, path, ["-A", *SMALL])
+              for name, path in two_builds.examples(parser, ["camera/focalblur"])]
+    for name, path in two_builds.examples(parser, BLURRED):
+        wrapper = args.work / f"{path.stem}_blur.pov"
+        wrapper.write_text(f'#include "{path}"\ncamera {{ {BLURRED[name]} aperture 0.15 focal_point 0 blur_samples 19 }}\n')
+        scenes.append(Scene("blur", name, wrapper, ["-A", *SMALL, f"+L{path.parent}"]))
+    return scenes
+
+
+def of_examples(kind, names, size):
+    return lambda parser, args: [Scene(kind, name, path, ["-A", *size]) for name, path in two_builds.examples(parser, names)]
+
+
+MAKERS = {"spd": spd, "primitives": one_a_primitive, "corpus": corpus, "auto": auto, "thick": thick, "blur": blur,
+          "media": of_examples("media", MEDIA, SMALL), "areas": of_examples("areas", AREAS, SMALL),
+          "radiosity": of_examples("radiosity", RADIOSITY, CORPUS), "photons": of_examples("photons", PHOTONS, SMALL)}
 
 
 def empty(args):

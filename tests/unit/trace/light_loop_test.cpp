@@ -76,7 +76,7 @@ TEST(UnitLightLoop, CollectsWhatMayReachAPointInTheListsOrder) {
   const Scene scene(text.build(), {});
   ThreadContext context(scene, false);
   const auto tester = shadow::make_tester_factory("off")->make(context);
-  const LightLoop loop(context, *tester, true, false);
+  const LightLoop loop(context, *tester, true);
   LightLoopPoint p{{0, 0, 0}, {0, 1, 0}, LightsAtPoint(scene.lights().size()), {}, 0};
   collect_light(loop, scene, p);
   ASSERT_EQ(p.incoming.size(), 3u) << "not those behind, beside the cone, or black";
@@ -105,7 +105,7 @@ TEST(UnitLightLoop, ShadowRaysOfManyPointsInAnyOrder) {
     ThreadContext context(scene, false), other(scene, false);
     const auto factory = shadow::make_tester_factory(name);
     const auto one_by_one = factory->make(context), block = factory->make(other);
-    LightLoop plain(context, *one_by_one, true, false), loop(other, *block, true, false);
+    LightLoop plain(context, *one_by_one, true), loop(other, *block, true);
     std::vector<LightLoopPoint> points = light_loop_points(500, scene);
     for (LightLoopPoint& p : points) collect_light(loop, scene, p);
     for (std::uint32_t light = static_cast<std::uint32_t>(scene.lights().size()); light-- > 0;) {
