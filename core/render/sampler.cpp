@@ -31,14 +31,19 @@ std::size_t samples_a_block(bool together, bool is_mean) {
 Sampler::Sampler(const RaySource& camera, const SamplerOptions& options, Integrator& integrator,
                  FirstHits* hits, RayWaves* waves)
     : m_camera(camera), m_blur(camera.blur()), m_options(options),
-      m_angles(static_cast<std::size_t>(std::max(1, options.angles))), m_integrator(integrator),
+      m_angles(static_cast<std::size_t>(std::max(1, options.angles))),
+      m_is_mean(m_angles > 1 || m_blur || camera.rays_a_place() > 1), m_integrator(integrator),
       m_hits(hits && hits->works() ? hits : nullptr),
       m_waves(waves && waves->works() ? waves : nullptr),
-      m_block(samples_a_block(m_hits || m_waves,
-                              m_angles > 1 || m_blur || camera.rays_a_place() > 1)) {}
+      m_block(samples_a_block(m_hits || m_waves, m_is_mean)) {}
 
 void Sampler::add(const SamplePlace& wanted) {
   const std::uint64_t key = key_of(wanted);
+  if (!m_is_mean) {
+    Ray ray;
+    const bool has_ray = m_camera.ray_at(wanted.place, ray);
+    return add_asked(0, has_ray, ray, {nearest_pixel(wanted.place), key});
+  }
   if (m_angles == 1) return add_direction(wanted.place, key);
   for (std::size_t i = 0; i < m_angles; ++i) {
     PixelPlace turned = wanted.place;
@@ -54,17 +59,17 @@ void Sampler::add_direction(const PixelPlace& place, std::uint64_t key) {
 
 /// Rays of one number run side by side.
 void Sampler::trace_block(Layout layout) {
+  if (!m_is_mean) return trace_rays(layout);
   m_open.resize(m_directions.size());
   std::iota(m_open.begin(), m_open.end(), 0u);
   std::uint32_t number = 0;
   while (const std::uint32_t more = more_rays(number)) {
-    m_asked.clear();
-    m_rays.clear();
-    m_of.clear();
+    begin_rays();
     for (const std::uint32_t end = number + more; number < end; ++number) {
       for (const std::uint32_t direction : m_open) ask(direction, number);
     }
-    trace_asked(layout);
+    trace_rays(layout);
+    for (const Asked& asked : m_asked) take(asked);
   }
 }
 
@@ -82,22 +87,28 @@ std::uint32_t Sampler::more_rays(std::uint32_t before) {
 void Sampler::ask(std::uint32_t direction, std::uint32_t number) {
   Ray ray;
   SampleOfPixel of;
-  const bool has_ray = find_ray(m_directions[direction], number, of, ray);
-  m_asked.push_back({direction, has_ray});
+  const bool has_ray = find_ray(direction, number, of, ray);
+  add_asked(direction, has_ray, ray, of);
+}
+
+void Sampler::add_asked(std::uint32_t direction, bool has_ray, const Ray& ray,
+                        const SampleOfPixel& of) {
+  m_asked.push_back(
+      {direction, has_ray ? static_cast<std::uint32_t>(m_rays.size()) : Asked::kNone});
   if (!has_ray) return;
   m_rays.push_back(ray);
   m_of.push_back(of);
 }
 
-bool Sampler::find_ray(const Direction& direction, std::uint32_t number, SampleOfPixel& of,
+bool Sampler::find_ray(std::uint32_t number_of_direction, std::uint32_t number, SampleOfPixel& of,
                        Ray& ray) const {
+  const Direction& direction = m_directions[number_of_direction];
   const PixelPlace& place = direction.place;
   of = {nearest_pixel(place), direction.key};
   if (m_blur) {
     // Numbers that are no direction's part of the sample, but for 0.
     of.key = part_key(direction.key, number * static_cast<std::uint32_t>(m_angles));
-    const BlurRay way =
-        m_estimates[static_cast<std::size_t>(&direction - m_directions.data())].ray(number, of.key);
+    const BlurRay way = m_estimates[number_of_direction].ray(number, of.key);
     PixelPlace through = place;
     through.across += way.across;
     through.down += way.down;
@@ -109,7 +120,7 @@ bool Sampler::find_ray(const Direction& direction, std::uint32_t number, SampleO
   return m_camera.one_ray_at(place, m_camera.ray_of(at, number), ray);
 }
 
-void Sampler::trace_asked(Layout layout) {
+void Sampler::trace_rays(Layout layout) {
   m_seen.resize(m_rays.size());
   const std::span<const Ray> all = m_rays;
   for (std::size_t first = 0; first < all.size();) {
@@ -123,8 +134,6 @@ void Sampler::trace_asked(Layout layout) {
           std::span(m_seen).subspan(first, count));
     first += count;
   }
-  std::size_t ray = 0;
-  for (const Asked& asked : m_asked) take(asked, asked.has_ray ? m_seen[ray++] : kNothing);
 }
 
 void Sampler::trace(std::span<const Ray> rays, std::span<const SampleOfPixel> of,
@@ -137,16 +146,22 @@ void Sampler::trace(std::span<const Ray> rays, std::span<const SampleOfPixel> of
   }
 }
 
-void Sampler::take(const Asked& asked, const Radiance& light) {
+Sample Sampler::seen(const Asked& asked) const {
+  if (asked.ray == Asked::kNone) return {kNothing, false};
+  Sample one{m_seen[asked.ray], true};
+  if (!m_options.alpha) one.seen.transmit = 0.0f;
+  return one;
+}
+
+void Sampler::take(const Asked& asked) {
   Direction& direction = m_directions[asked.direction];
-  Radiance seen = light;
-  if (asked.has_ray && !m_options.alpha) seen.transmit = 0.0f;
-  if (m_blur) m_estimates[asked.direction].add(seen);
-  if (!asked.has_ray) {
+  const Sample one = seen(asked);
+  if (m_blur) m_estimates[asked.direction].add(one.seen);
+  if (!one.has_ray) {
     direction.black += m_camera.missing_rays_are_black() ? 1 : 0;
     return;
   }
-  direction.sum += seen;
+  direction.sum += one.seen;
   ++direction.rays;
 }
 
@@ -159,6 +174,7 @@ Sample Sampler::mean(std::size_t number) const {
 }
 
 Sample Sampler::sample(std::size_t number) const {
+  if (!m_is_mean) return seen(m_asked[number]);
   if (m_angles == 1) return mean(number);
   Sample sum{{}, false};
   for (std::size_t i = 0; i < m_angles; ++i) {

@@ -73,15 +73,22 @@ class Sampler {
     int rays = 0;
     int black = 0;  ///< rays that are none, but count
   };
-  /// A ray of a direction; or that there is none.
+  /// A ray of a direction, and its place among the block's; or that there is none.
   struct Asked {
+    static constexpr std::uint32_t kNone = ~0u;
     std::uint32_t direction;
-    bool has_ray;
+    std::uint32_t ray;
   };
 
   void begin_block() {
     m_directions.clear();
     m_estimates.clear();
+    begin_rays();
+  }
+  void begin_rays() {
+    m_asked.clear();
+    m_rays.clear();
+    m_of.clear();
   }
   /// The next sample of the block.
   void add(const SamplePlace& wanted);
@@ -89,21 +96,25 @@ class Sampler {
   void trace_block(Layout layout);
   /// How many more rays the directions of m_open want that have had `before`; takes those away that have enough.
   std::uint32_t more_rays(std::uint32_t before);
+  /// Asks for ray `number` of a direction.
   void ask(std::uint32_t direction, std::uint32_t number);
-  bool find_ray(const Direction& direction, std::uint32_t number, SampleOfPixel& of,
-                Ray& ray) const;
-  void trace_asked(Layout layout);
+  void add_asked(std::uint32_t direction, bool has_ray, const Ray& ray, const SampleOfPixel& of);
+  bool find_ray(std::uint32_t direction, std::uint32_t number, SampleOfPixel& of, Ray& ray) const;
+  /// All that were asked for.
+  void trace_rays(Layout layout);
   void trace(std::span<const Ray> rays, std::span<const SampleOfPixel> of, const FirstHits* hits,
              std::span<Radiance> seen);
-  void take(const Asked& asked, const Radiance& seen);
+  void take(const Asked& asked);
   /// Of the block, once it is traced.
   Sample sample(std::size_t number) const;
   Sample mean(std::size_t direction) const;
+  Sample seen(const Asked& asked) const;
 
   const RaySource& m_camera;
   const FocalBlur* const m_blur;
   const SamplerOptions m_options;
   const std::size_t m_angles;  ///< directions a sample
+  const bool m_is_mean;        ///< whether a sample is more than one ray
   Integrator& m_integrator;
   FirstHits* const m_hits;    ///< null: each ray is searched for alone
   RayWaves* const m_waves;    ///< null: each ray is followed alone

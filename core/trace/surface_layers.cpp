@@ -54,9 +54,8 @@ bool SurfaceLayers::has_others(const Leaf& leaf) {
 const SurfaceLayers::Kind& SurfaceLayers::another(const Texture* texture) {
   const auto [at, is_new] = m_known.try_emplace(texture);
   if (is_new) at->second = made(*texture);
-  m_last = texture;
-  m_last_kind = &at->second;
-  return *m_last_kind;
+  m_asked[place_of(texture)] = {texture, &at->second};
+  return at->second;
 }
 
 SurfaceLayers::Kind SurfaceLayers::made(const Texture& texture) const {

@@ -5,6 +5,9 @@
 // measured on stock (tests/image/shading_depth_test.cpp).
 #pragma once
 
+#include <array>
+#include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <unordered_map>
 
@@ -62,7 +65,8 @@ class SurfaceLayers {
   bool may_have_others(const Leaf& leaf) const { return m_paths.layers && has_others(leaf); }
   static bool has_others(const Leaf& leaf);
   const Kind& kind_of(const Texture* texture) {
-    return texture == m_last ? *m_last_kind : another(texture);
+    const Asked& last = m_asked[place_of(texture)];
+    return texture == last.texture ? *last.kind : another(texture);
   }
   const Kind& another(const Texture* texture);
   Kind made(const Texture& texture) const;
@@ -83,9 +87,15 @@ class SurfaceLayers {
   const bool m_may_be_clear;
   WeightedTextures m_found;
   std::unordered_map<const Texture*, Kind> m_known;
-  // What was asked for last.
-  const Texture* m_last = nullptr;
-  const Kind* m_last_kind = nullptr;
+  /// What was asked for last.
+  struct Asked {
+    const Texture* texture = nullptr;
+    const Kind* kind = nullptr;
+  };
+  std::array<Asked, 16> m_asked{};
+  static std::size_t place_of(const Texture* texture) {
+    return reinterpret_cast<std::uintptr_t>(texture) / 64 % 16;
+  }
 };
 
 }  // namespace lentray::core

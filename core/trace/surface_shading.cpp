@@ -197,12 +197,10 @@ struct SurfaceShading::LitLayers {
 };
 
 void SurfaceShading::find_lit(Layers layers, const Surface& at, ShadingBuffers& buffers) {
-  buffers.lit.assign(layers.size(), Rgb());
-  if (layers.size() == 1) {
-    if (layers.front().is_lit) find_lit<true>(layers, at, buffers);
-  } else if (std::ranges::any_of(layers, &Layer::is_lit)) {
-    find_lit<false>(layers, at, buffers);
-  }
+  if (buffers.lit.size() < layers.size()) buffers.lit.resize(layers.size());
+  if (layers.size() == 1 && layers.front().is_lit) return find_lit<true>(layers, at, buffers);
+  std::fill_n(buffers.lit.begin(), layers.size(), Rgb());
+  if (std::ranges::any_of(layers, &Layer::is_lit)) find_lit<false>(layers, at, buffers);
 }
 
 template <bool kOne>
