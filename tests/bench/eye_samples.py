@@ -4,6 +4,7 @@
   tests/bench/eye_samples.py granite mtmand  those whose path contains a word; a path that ends with .pov: that scene
   tests/bench/eye_samples.py --print "Lens_Sheet=60 Sheet_Width=50mm Sheet_Height=37.5mm Print_DPI=720 View_Distance=40cm"
   tests/bench/eye_samples.py --more +R2      another setting of +AM3
+  tests/bench/eye_samples.py --cost          time alone
   tests/bench/eye_samples.py --views 15      pictures of Views=15, joined to a sheet
 
 CPU seconds of whole processes, one thread each, and the error that an eye sees (lentray-diff --seen: L*, RMS and 99th
@@ -84,6 +85,15 @@ def measure(args, scene, folder):
     return figures
 
 
+def cost(args, scene):
+    """How much cheaper +AM3 is; prints it."""
+    with tempfile.TemporaryDirectory() as temporary:
+        stock, eye = (render(args, scene, pathlib.Path(temporary) / "picture.png", words, args.rows)[0]
+                      for words in (["+A0.3", "-J"], ["+A0.3", "+AM3", *args.more.split()]))
+    print(f"| {scene.stem} | {stock:.2f} | {eye:.2f} | {stock / eye:.2f} |", flush=True)
+    return stock / eye
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("words", nargs="*", metavar="WORD")
@@ -95,6 +105,7 @@ def main():
     parser.add_argument("--seen", type=float, nargs=2, default=(0.44, 0.56), metavar=("TOP", "BOTTOM"),
                         help="of these, those whose error is measured (of slanted lenses all: 0 1)")
     parser.add_argument("--grid", type=int, default=4, metavar="N", help="of the limits (default 4: 16 samples a pixel)")
+    parser.add_argument("--cost", action="store_true", help="time alone, no errors: a quarter of the time")
     parser.add_argument("--bin", type=pathlib.Path, default=ROOT / "build/release/bin", metavar="FOLDER")
     parser.add_argument("--median", type=float, default=0.0, metavar="RATIO")
     parser.add_argument("--least", type=float, default=0.0, metavar="RATIO")
@@ -105,10 +116,16 @@ def main():
         scenes = [scene for scene in scenes if any(word in str(scene) for word in args.words)]
         scenes += [pathlib.Path(word).resolve() for word in args.words if word.endswith(".pov")]
     ratios, worse = [], []
-    print("| scene | +A0.3 -J, CPU s | rays | L* RMS | 99 % | RMS of +A0.3 | +AM3, CPU s | rays | L* RMS | 99 % | cheaper | error |\n"
+    if args.cost:
+        print("| scene | +A0.3 -J, CPU s | +AM3, CPU s | cheaper |\n|---|---:|---:|---:|")
+    else:
+        print("| scene | +A0.3 -J, CPU s | rays | L* RMS | 99 % | RMS of +A0.3 | +AM3, CPU s | rays | L* RMS | 99 % | cheaper | error |\n"
           "|---|---:|---:|---:|---:|---:|---:|---:|---:|---:|---:|---:|")
     for scene in scenes:
         name = scene.stem
+        if args.cost:
+            ratios.append(cost(args, scene))
+            continue
         with tempfile.TemporaryDirectory() as temporary:
             figures = measure(args, scene, pathlib.Path(temporary))
         cell = {way: f"{seconds:.2f} | {rays:.2f} | {error['rms']:.2f} | {error['within_99']:.2f}"

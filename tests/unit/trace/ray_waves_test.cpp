@@ -99,6 +99,18 @@ const WaveScene kWaveScenes[] = {
     sphere { <-1, 1, 0>, 0.8 pigment { rgb 0.7 } finish { diffuse 0 phong 0.7 reflection 0.3 } }
     light_source { <1, 5, -3>, rgb 0 } light_source { <1, 5, -4>, rgb -0.3 } sphere { <1, 1, 0>,
     0.8 pigment { rgbt <0.3, 0.4, 0.5, 1> } })"},
+    {"media and a translucent ball",
+     R"(
+    global_settings { mm_per_unit 10 subsurface { samples 6, 3 } } sphere { <-1, 1, 0>, 0.9 pigment
+    { rgbt 1 } hollow interior { media { scattering { 1, 0.5 } absorption 0.2 samples 3 } } }
+    sphere { <1, 1, 0>, 0.8 pigment { rgb 0.8 } finish { reflection 0.2 subsurface { translucency
+    0.4 } } interior { ior 1.3 } })"},
+    {"textures that blend, layers that conserve energy",
+     R"(
+    sphere { <-1, 1, 0>, 0.9 texture { gradient y texture_map { [0 pigment { rgbt 0.4 } finish {
+    reflection 0.3 crand 0.1 }] [1 pigment { rgb <0.8, 0.3, 0.1> } finish { phong 0.6 }] } } }
+    sphere { <1, 1, 0>, 0.9 texture { pigment { rgb 0.7 } finish { reflection 0.2 } } texture {
+    pigment { rgbf 0.6 } finish { reflection 0.5 conserve_energy irid { 0.3 } } } })"},
 };
 
 constexpr const char* kWaveStage =
