@@ -71,14 +71,15 @@ void take_jobs(Work& work) {
     hits.emplace(context);
     waves.emplace(context, integrator, *tester);
   }
+  static constexpr std::atomic<bool> kNever{false};
+  const std::atomic<bool>& cancel = work.options.cancel ? *work.options.cancel : kNever;
   Sampler sampler(work.camera, {work.options.angles, work.options.alpha}, integrator,
-                  hits ? &*hits : nullptr, waves ? &*waves : nullptr);
+                  hits ? &*hits : nullptr, waves ? &*waves : nullptr, cancel);
   std::optional<FrameMeter> meter;
   if (work.progress) meter.emplace(*work.progress);
-  static constexpr std::atomic<bool> kNever{false};
   FilmThread thread{.sampler = sampler,
                     .counters = context.counters,
-                    .cancel = work.options.cancel ? *work.options.cancel : kNever,
+                    .cancel = cancel,
                     .meter = meter ? &*meter : nullptr};
   BandQueue::Job job;
   while (work.queue.next(job)) {

@@ -29,12 +29,13 @@ std::size_t samples_a_block(bool together, bool is_mean) {
 }  // namespace
 
 Sampler::Sampler(const RaySource& camera, const SamplerOptions& options, Integrator& integrator,
-                 FirstHits* hits, RayWaves* waves)
+                 FirstHits* hits, RayWaves* waves, const std::atomic<bool>& cancel)
     : m_camera(camera), m_blur(camera.blur()), m_options(options),
       m_angles(static_cast<std::size_t>(std::max(1, options.angles))),
-      m_is_mean(m_angles > 1 || m_blur || camera.rays_a_place() > 1), m_integrator(integrator),
+      m_rays_a_place(camera.rays_a_place()),
+      m_is_mean(m_angles > 1 || m_blur || m_rays_a_place > 1), m_integrator(integrator),
       m_hits(hits && hits->works() ? hits : nullptr),
-      m_waves(waves && waves->works() ? waves : nullptr),
+      m_waves(waves && waves->works() ? waves : nullptr), m_cancel(cancel),
       m_block(samples_a_block(m_hits || m_waves, m_is_mean)) {}
 
 void Sampler::add(const SamplePlace& wanted) {
@@ -53,12 +54,13 @@ void Sampler::add(const SamplePlace& wanted) {
 }
 
 void Sampler::add_direction(const PixelPlace& place, std::uint64_t key) {
-  m_directions.push_back({place, key});
+  const Pixel pixel = nearest_pixel(place);
+  m_directions.push_back({place, key, m_camera.eye_place(pixel.column, pixel.row)});
   if (m_blur) m_estimates.emplace_back(*m_blur, key);
 }
 
 /// Rays of one number run side by side.
-void Sampler::trace_block(Layout layout) {
+bool Sampler::trace_block(Layout layout) {
   if (!m_is_mean) return trace_rays(layout);
   m_open.resize(m_directions.size());
   std::iota(m_open.begin(), m_open.end(), 0u);
@@ -68,13 +70,14 @@ void Sampler::trace_block(Layout layout) {
     for (const std::uint32_t end = number + more; number < end; ++number) {
       for (const std::uint32_t direction : m_open) ask(direction, number);
     }
-    trace_rays(layout);
+    if (!trace_rays(layout)) return false;
     for (const Asked& asked : m_asked) take(asked);
   }
+  return true;
 }
 
 std::uint32_t Sampler::more_rays(std::uint32_t before) {
-  if (!m_blur) return before == 0 ? m_camera.rays_a_place() : 0;
+  if (!m_blur) return before == 0 ? m_rays_a_place : 0;
   std::uint32_t more = 0;
   std::erase_if(m_open, [&](std::uint32_t direction) {
     const std::uint32_t wanted = m_estimates[direction].more();
@@ -114,13 +117,12 @@ bool Sampler::find_ray(std::uint32_t number_of_direction, std::uint32_t number, 
     through.down += way.down;
     return m_camera.lens_ray_at(through, way.x, way.y, ray);
   }
-  if (m_camera.rays_a_place() == 1) return m_camera.ray_at(place, ray);
+  if (m_rays_a_place == 1) return m_camera.ray_at(place, ray);
   of.key = part_key(direction.key, number);
-  const EyePlace at = m_camera.eye_place(of.pixel.column, of.pixel.row);
-  return m_camera.one_ray_at(place, m_camera.ray_of(at, number), ray);
+  return m_camera.one_ray_at(place, m_camera.ray_of(direction.seen_at, number), ray);
 }
 
-void Sampler::trace_rays(Layout layout) {
+bool Sampler::trace_rays(Layout layout) {
   m_seen.resize(m_rays.size());
   const std::span<const Ray> all = m_rays;
   for (std::size_t first = 0; first < all.size();) {
@@ -132,8 +134,10 @@ void Sampler::trace_rays(Layout layout) {
     }
     trace(all.subspan(first, count), std::span(m_of).subspan(first, count), hits,
           std::span(m_seen).subspan(first, count));
+    if (m_cancel.load(std::memory_order_relaxed)) return false;
     first += count;
   }
+  return true;
 }
 
 void Sampler::trace(std::span<const Ray> rays, std::span<const SampleOfPixel> of,
@@ -169,7 +173,7 @@ Sample Sampler::mean(std::size_t number) const {
   const Direction& direction = m_directions[number];
   if (m_blur) return {m_estimates[number].mean(), direction.rays > 0};
   if (direction.rays == 0) return {kNothing, false};
-  if (m_camera.rays_a_place() == 1) return {direction.sum, true};
+  if (m_rays_a_place == 1) return {direction.sum, true};
   return {direction.sum * (1.0f / static_cast<float>(direction.rays + direction.black)), true};
 }
 

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <algorithm>
+#include <atomic>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -37,9 +38,9 @@ struct Sample {
 class Sampler {
  public:
   /// `hits`: finds what neighbouring rays meet; null: each ray is searched for alone. `waves`: follows rays
-  /// together; null: each is followed alone.
+  /// together; null: each is followed alone. `cancel`: ends samples() soon; it outlives the sampler.
   Sampler(const RaySource& camera, const SamplerOptions& options, Integrator& integrator,
-          FirstHits* hits, RayWaves* waves);
+          FirstHits* hits, RayWaves* waves, const std::atomic<bool>& cancel);
 
   /// How the samples of a list lie.
   enum class Layout {
@@ -47,14 +48,15 @@ class Sampler {
     kScattered,
   };
   /// Samples 0 to `count` - 1, in this order: `place_of(i)` -> SamplePlace is asked for some of them ahead, then
-  /// `keep(i, sample)` -> bool is called for each. False as soon as keep() said so.
+  /// `keep(i, sample)` -> bool is called for each. False as soon as keep() said so, or when it
+  /// was cancelled.
   template <class PlaceOf, class Keep>
   bool samples(std::size_t count, Layout layout, const PlaceOf& place_of, const Keep& keep) {
     for (std::size_t first = 0; first < count; first += m_block) {
       const std::size_t end = std::min(count, first + m_block);
       begin_block();
       for (std::size_t i = first; i < end; ++i) add(place_of(i));
-      trace_block(layout);
+      if (!trace_block(layout)) return false;
       for (std::size_t i = first; i < end; ++i) {
         if (!keep(i, sample(i - first))) return false;
       }
@@ -69,6 +71,7 @@ class Sampler {
   struct Direction {
     PixelPlace place;
     std::uint64_t key;
+    EyePlace seen_at;  ///< of its pixel
     Radiance sum{};
     int rays = 0;
     int black = 0;  ///< rays that are none, but count
@@ -93,7 +96,8 @@ class Sampler {
   /// The next sample of the block.
   void add(const SamplePlace& wanted);
   void add_direction(const PixelPlace& place, std::uint64_t key);
-  void trace_block(Layout layout);
+  /// False: cancelled, as trace_rays().
+  bool trace_block(Layout layout);
   /// How many more rays the directions of m_open want that have had `before`; takes those away that have enough.
   std::uint32_t more_rays(std::uint32_t before);
   /// Asks for ray `number` of a direction.
@@ -101,7 +105,7 @@ class Sampler {
   void add_asked(std::uint32_t direction, bool has_ray, const Ray& ray, const SampleOfPixel& of);
   bool find_ray(std::uint32_t direction, std::uint32_t number, SampleOfPixel& of, Ray& ray) const;
   /// All that were asked for.
-  void trace_rays(Layout layout);
+  bool trace_rays(Layout layout);
   void trace(std::span<const Ray> rays, std::span<const SampleOfPixel> of, const FirstHits* hits,
              std::span<Radiance> seen);
   void take(const Asked& asked);
@@ -114,10 +118,12 @@ class Sampler {
   const FocalBlur* const m_blur;
   const SamplerOptions m_options;
   const std::size_t m_angles;  ///< directions a sample
-  const bool m_is_mean;        ///< whether a sample is more than one ray
+  const std::uint32_t m_rays_a_place;
+  const bool m_is_mean;  ///< whether a sample is more than one ray
   Integrator& m_integrator;
-  FirstHits* const m_hits;    ///< null: each ray is searched for alone
-  RayWaves* const m_waves;    ///< null: each ray is followed alone
+  FirstHits* const m_hits;  ///< null: each ray is searched for alone
+  RayWaves* const m_waves;  ///< null: each ray is followed alone
+  const std::atomic<bool>& m_cancel;
   const std::size_t m_block;  ///< samples in a block
   std::vector<Direction> m_directions;
   std::vector<BlurEstimate> m_estimates;  ///< one a direction, if rays start at an aperture

@@ -73,6 +73,8 @@ class RayStepper {
     record.level = state.level + 1;
     record.own = sky_radiance(m_scene, state.ray.direction, state.kind >= RayKind::kReflection);
   }
+  /// Evaluates the layers of surfaces, for the next two.
+  SurfaceLayers& layers() { return m_layers; }
   /// Of a surface whose layers are known. `block`: has asked for the lights there, at `place` of its places.
   void see_layers(const RayState& state, const Hit& hit, const MetPlace& where,
                   const PlaceLayers& found, const LayerBuffer& layers, const BlockLights& block,

@@ -9,8 +9,7 @@ namespace lentray::core {
 
 RayWaves::RayWaves(ThreadContext& context, Integrator& integrator, ShadowTester& shadows)
     : m_context(context), m_integrator(integrator), m_stepper(integrator.stepper()),
-      m_lights(context, shadows), m_textures(context, {context.scene.settings().adc_bailout}),
-      m_plain(context, shadows, m_lights) {
+      m_lights(context, shadows), m_plain(context, shadows, m_lights) {
   // Indirect light is asked for in the order of the rays of one sample after the other.
   m_works = m_lights.works() && !context.indirect;
   // Photons light surfaces one by one.
@@ -68,8 +67,8 @@ Vec3 front_of(Layers layers, const MetPlace& where) {
 [[gnu::always_inline]] inline void RayWaves::place(std::size_t at, const RayState& state,
                                                    const Hit& hit) {
   const MetPlace& place = *std::construct_at(&m_places[at], state.ray, hit);
-  m_found[at] = m_textures.find(state, hit, place, m_layers);
-  if (m_textures.may_be_lit(*hit.leaf, place.from_behind)) {
+  m_found[at] = m_stepper.layers().find(state, hit, place, m_layers);
+  if (m_stepper.layers().may_be_lit(*hit.leaf, place.from_behind)) {
     m_lights.add(hit, place, front_of(plain_layers(at), place));
   } else {
     m_lights.add_none();

@@ -78,7 +78,6 @@ class RayWaves {
   Integrator& m_integrator;
   RayStepper& m_stepper;
   BlockLights m_lights;
-  SurfaceLayers m_textures;
   PlainLights m_plain;
   bool m_works, m_has_plain;
   std::span<const SampleOfPixel> m_samples;

@@ -74,7 +74,7 @@ SurfaceLayers::Kind SurfaceLayers::made(const Texture& texture) const {
   const Colour* constant = only.pigment->constant();
   if (!constant || only.normal) return kind;
   Layer& layer = kind.fixed.emplace();
-  colour(only, *constant, layer);
+  fill(only, *constant, layer);
   pass(*constant, Rgb(1.0f), layer);
   layer.mirror = {};
   if (m_paths.reflection && reflects(*layer.finish) && reflects_evenly(*layer.finish)) {
@@ -84,8 +84,8 @@ SurfaceLayers::Kind SurfaceLayers::made(const Texture& texture) const {
   return kind;
 }
 
-[[gnu::always_inline]] inline void SurfaceLayers::colour(const TextureLayer& layer,
-                                                         const Colour& colour, Layer& out) const {
+[[gnu::always_inline]] inline void SurfaceLayers::fill(const TextureLayer& layer,
+                                                       const Colour& colour, Layer& out) const {
   const Finish& finish = *layer.finish;
   out.finish = &finish;
   out.pigment = colour.rgb;
@@ -189,7 +189,7 @@ void SurfaceLayers::find_in(const LayeredTexture& texture, const TexturePlace& p
     }
     if (eye.is_photon) seen.rgb *= above;
     Layer& added = out.emplace_back();
-    colour(*layer, seen, added);
+    fill(*layer, seen, added);
     added.normal = layer->normal ? place.outwards(surface.normal) : eye.normal;
     added.mirror = mirror_of(added, eye);
     pass(seen, above, added);

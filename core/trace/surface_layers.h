@@ -1,5 +1,5 @@
-// The layers of textures at places of surfaces, evaluated before any light is asked for: colour, normal, mirror, and what
-// passes them. What is the same at each point of a texture is found once.
+// The layers of textures at places of surfaces, evaluated before any light is asked for: colour,
+// normal, mirror, and what passes them. What is the same at each point of a texture is found once.
 // World space; colours linear. One a thread.
 // Source: reference manual 3.7, "Finish", "Layered Textures"; the order of the steps and where adc_bailout ends them
 // measured on stock (tests/image/shading_depth_test.cpp).
@@ -73,7 +73,7 @@ class SurfaceLayers {
   void find_blended(const Eye& eye, const MetPlace& where, SurfaceContext& surface,
                     PlaceLayers& found, LayerBuffer& out);
   /// All but the normal, the mirror and what passes.
-  void colour(const TextureLayer& layer, const Colour& colour, Layer& out) const;
+  void fill(const TextureLayer& layer, const Colour& colour, Layer& out) const;
   Reflectivity mirror_of(const Layer& layer, const Eye& eye) const;
   /// Of a finish that reflects.
   Reflectivity seen_mirror(const Layer& layer, const Eye& eye) const;

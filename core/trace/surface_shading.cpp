@@ -13,11 +13,11 @@
 #include "core/trace/reflectance.h"
 
 namespace lentray::core {
+
 SurfaceShading::SurfaceShading(ThreadContext& context, ShadowTester& shadows,
                                const PathRules& rules)
     : m_context(context), m_photons(surface_photons(context)), m_settings(context.scene.settings()),
-      m_rules(rules), m_paths(context.scene.needs()),
-      m_lights(context, shadows, rules.area_lights) {
+      m_rules(rules), m_lights(context, shadows, rules.area_lights) {
   if (context.scene.needs().subsurface && rules.subsurface) {
     m_subsurface = std::make_unique<SubsurfaceLight>(context, shadows, rules);
   }

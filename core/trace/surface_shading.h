@@ -13,7 +13,6 @@
 #include "core/trace/indirect_light.h"
 #include "core/trace/layer.h"
 #include "core/trace/light_loop.h"
-#include "core/trace/path_features.h"
 #include "core/trace/path_rules.h"
 #include "core/trace/ray_state.h"
 #include "core/trace/subsurface_light.h"
@@ -89,7 +88,6 @@ class SurfaceShading {
   const PhotonMap* const m_photons;  ///< null: there are none
   const SceneSettings& m_settings;
   const PathRules m_rules;
-  const PathFeatures m_paths;
   LightLoop m_lights;
   std::unique_ptr<SubsurfaceLight> m_subsurface;  ///< null: there is none
 };

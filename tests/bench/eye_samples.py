@@ -52,10 +52,9 @@ def render(args, scene, out, words, part):
     seconds = cpu_seconds([args.bin / "lentray", f"+I{scene.name}", f"+O{picture}", "Lenticular=On", *args.print.split(), *words,
                            *([] if bottom - top == 1 else [f"+SR{top:g}", f"+ER{bottom:g}"]), "+FN16", "-D", "-V", "-P", "+WT1",
                            f"Statistics_File={about}"], scene.parent)
-    told = [json.loads(file.read_text()) for file in sorted(out.parent.glob(f"{out.stem}*.json"))]
-    rays = sum(one["rays"]["camera"] for one in told)
-    told = told[0]
-    width, height = told["image"]["width"], told["image"]["height"]
+    pictures = [json.loads(file.read_text()) for file in sorted(out.parent.glob(f"{out.stem}*.json"))]
+    rays = sum(one["rays"]["camera"] for one in pictures)
+    width, height = pictures[0]["image"]["width"], pictures[0]["image"]["height"]
     if args.views:
         join(args, sorted(out.parent.glob(f"{out.stem}.[0-9#]*.png")), out, width, height)
     if args.seen[1] - args.seen[0] < 1:
@@ -99,7 +98,7 @@ def main():
     parser.add_argument("words", nargs="*", metavar="WORD")
     parser.add_argument("--print", default=PRINT, metavar="OPTIONS")
     parser.add_argument("--more", default="", metavar="OPTIONS")
-    parser.add_argument("--views", type=int, default=0, metavar="N")
+    parser.add_argument("--views", type=int, default=0, metavar="N", help="pictures of so many views, joined (default: a sheet)")
     parser.add_argument("--rows", type=float, nargs=2, default=(0.3333, 0.6667), metavar=("TOP", "BOTTOM"),
                         help="parts of the height")
     parser.add_argument("--seen", type=float, nargs=2, default=(0.44, 0.56), metavar=("TOP", "BOTTOM"),
